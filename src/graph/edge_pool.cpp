@@ -101,19 +101,15 @@ void EdgePool::chi2_of_tile(std::span<const std::uint32_t> edges, int rows, doub
 void EdgePool::chi2_one_by_one(std::span<const std::uint32_t> edges, double* out) const {
   constexpr std::size_t kRoom = 512;
   double room[kRoom];
-  // Moves the scratch memory out of the thread's storage while it is in use, because an error function may
-  // evaluate another graph on this thread.
-  auto& kept = thread_scratch<std::vector<double>, struct LongError>();
-  std::vector<double> more = std::move(kept);
+  const BorrowedScratch<std::vector<double>, struct LongError> more;
   for (const std::uint32_t edge : edges) {
     const int rows = shape(edge).rows;
-    if (static_cast<std::size_t>(rows) > std::max(kRoom, more.size()))
-      more.resize(static_cast<std::size_t>(rows));
-    double* e = static_cast<std::size_t>(rows) > kRoom ? more.data() : room;
+    if (static_cast<std::size_t>(rows) > std::max(kRoom, more->size()))
+      more->resize(static_cast<std::size_t>(rows));
+    double* e = static_cast<std::size_t>(rows) > kRoom ? more->data() : room;
     errors(std::span(&edge, 1), e);
     *out++ = information(edge, rows).squared_norm(e);
   }
-  kept = std::move(more);
 }
 
 void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "graph/incidence.h"
@@ -71,6 +72,11 @@ std::optional<VertexRef> Graph::find_repetition(std::span<const VertexRef> verti
 
 void Graph::reserve_edges(EdgeRef like, std::size_t count) {
   check(like);
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (count > kMost) {
+    throw InvalidArgument("reserve_edges(): expected at most " + std::to_string(kMost) + " edges, got " +
+                          std::to_string(count));
+  }
   edge_pools_[like.pool]->reserve(count);
 }
 
@@ -78,6 +84,28 @@ void Graph::check_distinct(std::span<const VertexRef> vertices) const {
   if (vertices.empty()) throw InvalidArgument("an edge needs at least one vertex");
   if (const auto twice = find_repetition(vertices)) {
     throw InvalidArgument("vertex " + std::to_string(id(*twice)) + " appears twice in one edge");
+  }
+}
+
+void Graph::throw_misfit(const InvalidArgument& misfit, std::span<const VertexRef> vertices) const {
+  constexpr std::size_t kMostNames = 4;
+  std::string names;
+  for (const VertexRef& vertex : vertices.first(std::min(vertices.size(), kMostNames))) {
+    names += names.empty() ? "" : ", ";
+    names += vertex_pools_[vertex.pool]->parameter(vertex.slot) ? "parameter " : "vertex ";
+    names += std::to_string(id(vertex)) + " (size " + std::to_string(tangent_dim(vertex)) + ")";
+  }
+  if (vertices.size() > kMostNames) names += ", …";
+  throw InvalidArgument("edge of " + names + ": " + misfit.what());
+}
+
+void Graph::check_sizes_of_edges(VertexRef vertex) const {
+  for (const EdgeRef& edge : edges(vertex)) {
+    try {
+      (void)error(edge);
+    } catch (const InvalidArgument& misfit) {
+      throw_misfit(misfit, vertices(edge));
+    }
   }
 }
 

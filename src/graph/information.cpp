@@ -13,9 +13,19 @@
 namespace boxplus {
 namespace {
 
+/// The number of values in an upper triangle of n rows.
+std::size_t triangle_size(int n) {
+  const auto rows = static_cast<std::size_t>(n);
+  return rows * (rows + 1) / 2;
+}
+
 /// The position of (i, j), i ≤ j, in an upper triangle of n rows that is stored row by row.
-int triangle_index(int i, int j, int n) {
-  return i * n - i * (i - 1) / 2 + (j - i);
+std::size_t triangle_index(int i, int j, int n) {
+  return triangle_size(n) - triangle_size(n - i) + static_cast<std::size_t>(j - i);
+}
+
+std::string not_positive(const char* what, double value) {
+  return fmt::format("information: expected a positive semi-definite matrix, got the {} {:.9g}", what, value);
 }
 
 /// The largest number of rows for which a valid Ω is checked without a heap allocation.
@@ -30,10 +40,7 @@ std::string complaint_about(const detail::InformationView& omega) {
     for (int j = 0; j < rows; ++j) full(i, j) = omega(i, j);
   }
   const double least = full.diagonal().minCoeff();
-  if (least < 0) {
-    return "information: expected a positive semi-definite matrix, got the diagonal entry " +
-           std::to_string(least);
-  }
+  if (least < 0) return not_positive("diagonal entry", least);
   // Computes an LDLᵀ factorization of the slightly shifted matrix. This is cheap, and accurate enough to find
   // indefinite matrices.
   const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
@@ -42,10 +49,7 @@ std::string complaint_about(const detail::InformationView& omega) {
     const double pivot = l(k, k) + shift;
     if (!(pivot > 0)) {
       const double smallest = symmetric_eigen(full).values[0];
-      if (smallest < -shift) {
-        return "information: expected a positive semi-definite matrix, got the eigenvalue " +
-               std::to_string(smallest);
-      }
+      if (smallest < -shift) return not_positive("eigenvalue", smallest);
       return {};
     }
     for (int i = k + 1; i < rows; ++i) {
@@ -119,8 +123,9 @@ Information Information::diagonal(std::span<const double> values) {
 }
 
 Information Information::upper_triangle(std::span<const double> values, int rows) {
-  if (rows < 0 || values.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2) {
-    throw InvalidArgument("information: expected the " + std::to_string(rows * (rows + 1) / 2) +
+  if (rows < 0) throw InvalidArgument("information: expected rows ≥ 0, got " + std::to_string(rows));
+  if (values.size() != triangle_size(rows)) {
+    throw InvalidArgument("information: expected the " + std::to_string(triangle_size(rows)) +
                           " values of an upper triangle of " + std::to_string(rows) + " rows, got " +
                           std::to_string(values.size()));
   }
@@ -135,7 +140,7 @@ Information Information::upper_triangle(std::span<const double> values, int rows
   if (!diagonal) return {detail::InformationKind::kFull, rows, values};
   Information result(detail::InformationKind::kDiagonal, rows, values.first(static_cast<std::size_t>(rows)));
   double* out = result.far_.empty() ? result.near_.data() : result.far_.data();
-  for (int i = 0; i < rows; ++i) *out++ = values[static_cast<std::size_t>(triangle_index(i, i, rows))];
+  for (int i = 0; i < rows; ++i) *out++ = values[triangle_index(i, i, rows)];
   return result;
 }
 
@@ -147,7 +152,7 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
                           " (for a diagonal matrix, use Information::diagonal)");
   }
   std::vector<double> upper;
-  upper.reserve(static_cast<std::size_t>(n * (n + 1) / 2));
+  upper.reserve(triangle_size(n));
   for (int i = 0; i < n; ++i) {
     for (int j = i; j < n; ++j) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
@@ -174,9 +179,7 @@ std::string Information::complaint(int rows) const {
   }
   if (kind_ != detail::InformationKind::kFull) {
     for (double v : values) {
-      if (v < 0)
-        return "information: expected a positive semi-definite matrix, got the diagonal entry " +
-               std::to_string(v);
+      if (v < 0) return not_positive("diagonal entry", v);
     }
     return {};
   }

@@ -235,7 +235,7 @@ class GaugeFinder {
       const bool whole = holds_whole(component, first, freedom);
       if (whole) {
         gauge_.held.push_back({reference(first), id});
-        left.basis *= kernel_of(freedom.of_vertex(graph_, first), kNoticeable * freedom.unit());
+        left.keep(kernel_of(freedom.of_vertex(graph_, first), kNoticeable * freedom.unit()));
       }
       hold_directions(component, first, whole, left);
     }
@@ -283,7 +283,7 @@ class GaugeFinder {
       Eigen::Index row = 0;
       row_norms(v).maxCoeff(&row);
       gauge_.held_directions.push_back({reference(v), static_cast<int>(row)});
-      left.basis *= kernel_of(left.of_vertex(graph_, v).row(row), kNoticeable * left.unit());
+      left.keep(kernel_of(left.of_vertex(graph_, v).row(row), kNoticeable * left.unit()));
     };
     const auto may_hold = [&](VertexSlot v) {
       return graph_.vertex_pools()[v.pool]->tangent_dim(v.slot) > 0 &&
@@ -309,7 +309,7 @@ class GaugeFinder {
     constexpr double kZero = 1e-6;
     const MatrixXd turns = left.basis.bottomRows(left.motions.rotations() + 1);
     const int turning = left.directions() - static_cast<int>(kernel_of(turns, kZero).cols());
-    const bool scale = left.basis.bottomRows(1).norm() > kZero;
+    const bool scale = left.has_scale();
     const Id id = graph_.vertex_pools()[vertex.pool]->id(vertex.slot);
     return {reference(vertex), id, left.directions(), turning<left.directions(), turning>(scale ? 1 : 0),
             scale};

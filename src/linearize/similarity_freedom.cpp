@@ -23,12 +23,14 @@ using Eigen::VectorXd;
 /// resists no motion.
 class Resistance {
  public:
+  static constexpr int kMost = WorldMotions::kMost + static_cast<int>(SimilarityTest::kMostOwn);
+
   explicit Resistance(int motions) : motions_(motions) {}
 
   /// Adds an edge. `tangents` has one row for each column of the Jacobian.
   void add(const detail::EdgeTile& edge, const double* tangents, double tolerance) {
     for (int row = 0; row < edge.rows; ++row) {
-      std::array<double, WorldMotions::kMost> change{};
+      std::array<double, kMost> change{};
       double magnitude = 0;
       for (int c = 0; c < edge.cols; ++c) {
         const double slope = edge.jacobian[c * edge.rows + row];
@@ -46,21 +48,25 @@ class Resistance {
   /// Adds a vertex with fixed directions, which resists motions in these directions.
   void add_fixed(std::span<const int> directions, const double* tangents, double least) {
     for (const int direction : directions) {
-      std::array<double, WorldMotions::kMost> change{};
+      std::array<double, kMost> change{};
       std::copy_n(tangents + direction * motions_, motions_, change.begin());
       const Eigen::Map<const Eigen::VectorXd> motion(change.data(), motions_);
       if (motion.norm() > least) add_row(change, motion.norm(), 0);
     }
   }
-  /// The linear combinations of the candidates that nothing resists.
-  MatrixXd unresisted(const MatrixXd& candidates) const {
+  /// The linear combinations of the candidates that nothing resists. The last `own` motions have units of
+  /// their own, so their resistance is 1 by definition.
+  MatrixXd unresisted(MatrixXd candidates, Eigen::Index own) const {
     constexpr double kNothing = 1e-12;
+    for (Eigen::Index i = motions_ - own; i < motions_; ++i) {
+      if (sum_(i, i) > 0) candidates.row(i) /= std::sqrt(sum_(i, i));
+    }
     const MatrixXd among = candidates.transpose() * sum_.topLeftCorner(motions_, motions_) * candidates;
     return candidates * eigenvectors_of(among, [](double resistance) { return resistance <= kNothing; });
   }
 
  private:
-  void add_row(const std::array<double, WorldMotions::kMost>& change, double magnitude, double tolerance) {
+  void add_row(const std::array<double, kMost>& change, double magnitude, double tolerance) {
     double squares = 0;
     for (const double value : change) squares += value * value;
     if (!std::isfinite(squares) || std::sqrt(squares) <= tolerance * magnitude) return;
@@ -73,8 +79,7 @@ class Resistance {
   }
 
   int motions_;
-  Eigen::Matrix<double, WorldMotions::kMost, WorldMotions::kMost> sum_ =
-      Eigen::Matrix<double, WorldMotions::kMost, WorldMotions::kMost>::Zero();
+  Eigen::Matrix<double, kMost, kMost> sum_ = Eigen::Matrix<double, kMost, kMost>::Zero();
 };
 
 /// A sample of at most `count` edges of each pool, evenly spaced.
@@ -96,7 +101,17 @@ MatrixXd SimilarityFreedom::of_vertex(const Graph& graph, VertexSlot vertex) con
   const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
   MatrixXd tangents(pool.tangent_dim(vertex.slot), motions.count());
   motion_tangents(pool, vertex.slot, (*roles)[vertex.pool][vertex.slot], motions, tangents.data());
-  return tangents * basis;
+  MatrixXd result = tangents * basis;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i].vertex.pool == vertex.pool && own[i].vertex.slot == vertex.slot)
+      result.row(own[i].component) = own_basis.row(static_cast<Eigen::Index>(i));
+  }
+  return result;
+}
+
+void SimilarityFreedom::keep(const MatrixXd& combinations) {
+  basis = (basis * combinations).eval();
+  own_basis = (own_basis * combinations).eval();
 }
 
 /// A group of vertices of one type that occur at the same positions in the same types of edges.
@@ -217,6 +232,7 @@ WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, i
 MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) {
   const int count = motions.count();
   MatrixXd sum = MatrixXd::Zero(count, count), tangents;
+  const Eigen::Index row = columns(motions);
   tangents_.clear();
   PacedStop pace(stop_, 64);
   for (const VertexSlot v : vertices) {
@@ -229,11 +245,28 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
     if (!tangents.allFinite()) continue;
     sum.noalias() += tangents.transpose() * tangents;
     tangents_of_[v.pool][v.slot] = tangents_.size();
-    tangents_.resize(tangents_.size() + static_cast<std::size_t>(tangents.size()));
-    Eigen::Map<RowMajor>(tangents_.data() + tangents_of_[v.pool][v.slot], tangents.rows(), count) = tangents;
+    tangents_.resize(tangents_.size() + static_cast<std::size_t>(tangents.rows() * row));
+    Eigen::Map<RowMajor>(tangents_.data() + tangents_of_[v.pool][v.slot], tangents.rows(), row)
+        .leftCols(count) = tangents;
   }
   const double least = 1e-12 * std::max(sum.trace(), 1e-300);
   return eigenvectors_of(sum, [&](double squared) { return squared > least; });
+}
+
+/// Stores the tangents of the vertices of own_, whose directions are motions of their own.
+void SimilarityTest::set_own_tangents(const WorldMotions& motions) {
+  const auto row = static_cast<std::size_t>(columns(motions));
+  for (const OwnDirection& own : own_) tangents_of_[own.vertex.pool][own.vertex.slot] = kStill;
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const auto [vertex, component] = own_[i];
+    std::size_t& begin = tangents_of_[vertex.pool][vertex.slot];
+    if (begin == kStill) {
+      begin = tangents_.size();
+      const int dim = graph_.vertex_pools()[vertex.pool]->tangent_dim(vertex.slot);
+      tangents_.resize(tangents_.size() + static_cast<std::size_t>(dim) * row);
+    }
+    tangents_[begin + static_cast<std::size_t>(component) * row + row - own_.size() + i] = 1;
+  }
 }
 
 void SimilarityTest::tangents_of_edge(const detail::EdgePool& pool, std::uint32_t edge, RowMajor& out) const {
@@ -243,8 +276,7 @@ void SimilarityTest::tangents_of_edge(const detail::EdgePool& pool, std::uint32_
     const std::uint32_t p = pool.vertex_pool(edge, static_cast<int>(i));
     const detail::VertexPool& vertices = *graph_.vertex_pools()[p];
     const auto size = static_cast<std::size_t>(vertices.tangent_dim(slots[i]) * out.cols());
-    const bool moves = movable_[p][slots[i]] && !vertices.parameter(slots[i]);
-    const std::size_t from = moves ? tangents_of_[p][slots[i]] : kStill;
+    const std::size_t from = movable_[p][slots[i]] ? tangents_of_[p][slots[i]] : kStill;
     if (from == kStill) {
       std::fill_n(row, size, 0.0);
     } else {
@@ -261,6 +293,7 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
   constexpr std::int64_t kBetweenStops = 64;         // edges between two checks of the stop token
   constexpr std::size_t kEdgesBetweenChecks = 1024;  // edges between two checks for free motions
   const auto motions = static_cast<int>(candidates.rows());
+  const auto own = static_cast<Eigen::Index>(own_.size());
   Resistance resistance(motions);
   for (const VertexSlot v : vertices) {
     const auto fixed = graph_.vertex_pools()[v.pool]->fixed_directions(v.slot);
@@ -285,10 +318,11 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     pool.linearize(std::span(&edges[k].slot, 1), tile, false);
     const bool exact = pool.jacobian_source() != detail::JacobianSource::kNumeric;
     resistance.add(tile, tangents.data(), exact ? kExact : kNumeric);
-    if (k % kEdgesBetweenChecks == kEdgesBetweenChecks - 1 && resistance.unresisted(candidates).cols() == 0)
+    if (k % kEdgesBetweenChecks == kEdgesBetweenChecks - 1 &&
+        resistance.unresisted(candidates, own).cols() == 0)
       break;
   }
-  return resistance.unresisted(candidates);
+  return resistance.unresisted(candidates, own);
 }
 
 SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> vertices,
@@ -296,9 +330,37 @@ SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> verti
   SimilarityFreedom freedom;
   freedom.motions = motions_for(vertices, dimension);
   const MatrixXd moves = moving(vertices, freedom.motions);
-  freedom.basis = unresisted(vertices, edges, freedom.motions, moves);
+  set_own_tangents(freedom.motions);
+  const Eigen::Index world = freedom.motions.count(), own = columns(freedom.motions) - world;
+  MatrixXd candidates = MatrixXd::Zero(world + own, moves.cols() + own);
+  candidates.topLeftCorner(world, moves.cols()) = moves;
+  candidates.bottomRightCorner(own, own).setIdentity();
+  const MatrixXd free = unresisted(vertices, edges, freedom.motions, candidates);
+  freedom.basis = free.topRows(world);
+  freedom.own_basis = free.bottomRows(own);
+  freedom.own = own_;
   freedom.roles = &roles_;
   return freedom;
+}
+
+/// The directions of all moving vertices without a frame; none if there are too many.
+std::vector<OwnDirection> SimilarityTest::own_directions() const {
+  std::vector<OwnDirection> own;
+  for (std::uint32_t p = 0; p < movable_.size(); ++p) {
+    const detail::VertexPool& pool = *graph_.vertex_pools()[p];
+    for (std::uint32_t slot = 0; slot < movable_[p].size(); ++slot) {
+      detail::Frame frame;
+      if (!movable_[p][slot]) continue;
+      if (pool.get_frame(slot, frame)) break;  // all vertices of a pool have one type
+      const auto fixed = pool.fixed_directions(slot);
+      for (int i = 0; i < pool.tangent_dim(slot); ++i) {
+        if (std::find(fixed.begin(), fixed.end(), i) != fixed.end()) continue;
+        if (own.size() == kMostOwn) return {};
+        own.push_back({{p, slot}, i});
+      }
+    }
+  }
+  return own;
 }
 
 /// The vertices of the edges that move, each once per edge.
@@ -318,6 +380,29 @@ std::vector<VertexSlot> SimilarityTest::moving_ends(std::span<const EdgeSlot> ed
 
 SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                        int dimension, Extent extent) {
+  constexpr double kInWorld = 1e-6;
+  SimilarityFreedom freedom = find_roles_and_motions(vertices, edges, dimension, extent);
+  if (freedom.has_scale()) return freedom;
+  own_ = own_directions();
+  if (own_.empty()) return freedom;
+  SimilarityFreedom wider = find_with_roles(vertices, edges, dimension, extent);
+  for (const OwnDirection& own : own_) tangents_of_[own.vertex.pool][own.vertex.slot] = kStill;
+  own_.clear();
+  // Motions of vertices without a frame alone are no similarities.
+  const MatrixXd world = wider.basis.transpose() * wider.basis;
+  wider.keep(eigenvectors_of(world, [&](double squared) { return squared > kInWorld * kInWorld; }));
+  for (int i = 0; i < wider.directions(); ++i) {
+    const double size = wider.basis.col(i).norm();
+    wider.basis.col(i) /= size;
+    wider.own_basis.col(i) /= size;
+  }
+  return wider.directions() > freedom.directions() && wider.has_scale() ? wider : freedom;
+}
+
+/// Assigns the roles, and finds the free motions that change no vertex without a frame.
+SimilarityFreedom SimilarityTest::find_roles_and_motions(std::span<const VertexSlot> vertices,
+                                                         std::span<const EdgeSlot> edges, int dimension,
+                                                         Extent extent) {
   constexpr unsigned kMostChoices = 100;
   const std::vector<Kind> kinds = list_kinds(vertices, edges, dimension);
   unsigned choices = 1;
@@ -338,6 +423,12 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
     best = choice;
   }
   assign_roles(vertices, kinds, best);
+  return find_with_roles(vertices, edges, dimension, extent);
+}
+
+SimilarityFreedom SimilarityTest::find_with_roles(std::span<const VertexSlot> vertices,
+                                                  std::span<const EdgeSlot> edges, int dimension,
+                                                  Extent extent) {
   if (extent == Extent::kAllEdges) return free_motions(vertices, edges, dimension);
   const std::vector<EdgeSlot> tested = sample_of(edges, kTestedEdges);
   if (tested.size() == edges.size()) return free_motions(vertices, edges, dimension);

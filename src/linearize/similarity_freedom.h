@@ -22,17 +22,29 @@ struct VertexSlot {
   std::uint32_t pool, slot;
 };
 
+/// One direction of a vertex without a frame: a focal length, or one component of a bias.
+struct OwnDirection {
+  VertexSlot vertex;
+  int component;
+};
+
 /// The motions z = motions · basis with J z = 0 for the Jacobian J of every edge at the current estimates.
 /// Each column of `basis` is one free motion. Every nonzero combination of the columns moves at least one
-/// vertex.
+/// vertex. Vertices without a frame may change along with the world: a scale may be free only together with a
+/// focal length.
 struct SimilarityFreedom {
   WorldMotions motions;
   Eigen::MatrixXd basis;  ///< motions.count() × number of free motions
+  std::vector<OwnDirection> own;
+  Eigen::MatrixXd own_basis;  ///< the changes along the directions `own`: own.size() × number of free motions
   /// The role of each vertex, by vertex pool and slot.
   const std::vector<std::vector<WorldRole>>* roles = nullptr;
 
   double unit() const { return motions.unit(); }
   int directions() const { return static_cast<int>(basis.cols()); }
+  bool has_scale() const { return basis.bottomRows(1).norm() > 1e-6; }
+  /// Keeps only these combinations of the free motions, one per column.
+  void keep(const Eigen::MatrixXd& combinations);
   /// The free motions in the tangent space of a vertex: tangent_dim × directions().
   Eigen::MatrixXd of_vertex(const Graph& graph, VertexSlot vertex) const;
 };
@@ -46,12 +58,17 @@ struct SimilarityFreedom {
 /// All vertices of one kind have the same role. Vertices are of one kind if they have the same type and occur
 /// at the same positions in the same types of edges. The test tries combinations of roles on a sample of the
 /// edges, and uses the combination with the most free motions.
+///
+/// If no scale is free, tests whether one is free together with changes of vertices that have no frame. Such
+/// vertices are shared by many edges, so the test considers them only if they have at most kMostOwn
+/// directions in all.
 class SimilarityTest {
  public:
   /// kSample tests at most kTestedEdges edges of each pool, evenly spaced. This is enough if every step is
   /// checked later: an edge that resists a motion gives a step along it.
   enum class Extent { kAllEdges, kSample };
   static constexpr std::size_t kTestedEdges = 512;
+  static constexpr std::size_t kMostOwn = 8;
 
   /// `movable` says for each slot of each vertex pool whether the vertex moves.
   SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
@@ -74,7 +91,16 @@ class SimilarityTest {
   Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions);
   Eigen::MatrixXd unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                              const WorldMotions& world, const Eigen::MatrixXd& candidates) const;
+  Eigen::Index columns(const WorldMotions& motions) const {
+    return motions.count() + static_cast<Eigen::Index>(own_.size());
+  }
   void tangents_of_edge(const detail::EdgePool& pool, std::uint32_t edge, RowMajor& out) const;
+  SimilarityFreedom find_roles_and_motions(std::span<const VertexSlot> vertices,
+                                           std::span<const EdgeSlot> edges, int dimension, Extent extent);
+  SimilarityFreedom find_with_roles(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                                    int dimension, Extent extent);
+  std::vector<OwnDirection> own_directions() const;
+  void set_own_tangents(const WorldMotions& motions);
   SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                  int dimension);
 
@@ -88,6 +114,7 @@ class SimilarityTest {
   static constexpr std::size_t kStill = static_cast<std::size_t>(-1);
   std::vector<std::vector<std::size_t>> tangents_of_;
   std::vector<double> tangents_;
+  std::vector<OwnDirection> own_;  // the directions that may change along with the world
 };
 
 }  // namespace boxplus

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "linearize/extend_plan.h"
+#include "linearize/stiff_edge.h"
 #include "optimize/stopwatch.h"
 #include "optimize/vector_math.h"
 
@@ -71,6 +72,7 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
   const auto growth = extend_plan(*graph_, request, vertices, edges, *plan_);
   if (!growth) return false;
   order_.forget();
+  precise_.forget_plan();
   linearizer_.extend();
   assembled_ = AssembledSystem(plan_->structure, linearizer_.values());
   resize_vectors();
@@ -85,6 +87,8 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
   order_.forget();
   learned_.clear();
   last_chi2_ = 0;
+  is_precise_ = false;
+  precise_steps_ = 0;
   expected_.reset();
   linearizer_.set_stop(stop);
   timings_ = &timings;
@@ -102,6 +106,8 @@ bool BatchSystem::linearize() {
   order_.forget();  // until this function ends without an exception
   treatment_ = initial_ = learned_;
   model_chi2_ = last_chi2_;
+  precise_.forget();
+  is_stiff_.reset();
   const std::optional<StepDamping> expected = std::exchange(expected_, std::nullopt);
   elimination_.reset();
   if (expected && may_eliminate_early()) {
@@ -313,9 +319,30 @@ StepResult BatchSystem::solve_without_gauge(const StepDamping& damping, std::spa
 }
 
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
-  const StepResult result = factorize_and_solve(damping, step);
+  StepResult result = {LinearStatus::kNotPositiveDefinite};
+  if (!is_precise_) result = factorize_and_solve(damping, step);
+  if (result.status == LinearStatus::kNotPositiveDefinite && (is_precise_ || is_stiff()))
+    result = solve_precisely(damping, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
   return result;
+}
+
+bool BatchSystem::is_stiff() {
+  if (!is_stiff_)
+    is_stiff_ = find_stiff_edge(*graph_, *plan_, linearize_options_, kStiffRatio, control_.stop).has_value();
+  return *is_stiff_;
+}
+
+StepResult BatchSystem::solve_precisely(const StepDamping& damping, std::span<double> step) {
+  const TimeAdder adder(timings_->solve_s);
+  const FactorResult factor =
+      precise_.solve(*graph_, *plan_, linearize_options_, full_damping(damping), control_.stop, step);
+  if (factor.status != LinearStatus::kOk) {
+    note_failure(factor.failed_block, factor.failed_scalar);
+    return {factor.status};
+  }
+  ++precise_steps_;
+  return {.exact = true};
 }
 
 /// Whether the held directions are still gauge freedom. The gradient vanishes along every free direction. So
@@ -406,6 +433,9 @@ StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::spa
 double BatchSystem::try_step(std::span<const double> step) {
   order_.expect_linearization("System::try_step");
   expect_size(step, "System::try_step");
+  double largest = 0;
+  for (std::size_t i = 0; i < step.size(); ++i) largest = std::max(largest, diagonal_[i] * step[i] * step[i]);
+  step_in_deviations_ = std::sqrt(largest);
   before_step_.take(*graph_, *plan_);
   order_.moved();
   try {

@@ -15,6 +15,7 @@
 #include "optimize/call_order.h"
 #include "optimize/estimates.h"
 #include "optimize/gauge_treatment.h"
+#include "optimize/precise_solver.h"
 
 namespace boxplus {
 
@@ -43,9 +44,20 @@ class BatchSystem final : public System {
   double curvature(std::span<const double> d) override;
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   double try_step(std::span<const double> step) override;
+  /// The largest entry of the last step of try_step(), in standard deviations: max √Hᵢᵢ |δᵢ|. An entry's
+  /// standard deviation is the one that it has if all other unknowns are known.
+  double step_in_deviations() const { return step_in_deviations_; }
   void accept() override;
   void reject() override;
   bool stopped() const override { return stopped_; }
+
+  /// If the factor in double loses a pivot, and some edge is stiff (linearize/stiff_edge.h), solve() computes
+  /// the step in double-double. After set_precise(true), it does so in every case.
+  void set_precise(bool precise) { is_precise_ = precise; }
+  /// The number of steps that were computed in double-double since configure().
+  int precise_steps() const { return precise_steps_; }
+  /// Whether solve() damps H because of the gauge, even if λ = 0.
+  bool damps_gauge() const { return gauge_fraction() > 0; }
   /// Throws InvalidArgument if an algorithm ended without accept() or reject() after its last try_step().
   void expect_no_trial() const { order_.expect_no_trial("Algorithm::iterate"); }
   void begin_iteration() { accepted_.reset(); }
@@ -99,6 +111,8 @@ class BatchSystem final : public System {
   Damping full_damping(const StepDamping& damping);
   StepResult solve_without_gauge(const StepDamping& damping, std::span<double> step);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
+  bool is_stiff();
+  StepResult solve_precisely(const StepDamping& damping, std::span<double> step);
   bool has_other_types() const;
   bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
   StepResult factorize_and_solve(const StepDamping& damping, std::span<double> step);
@@ -133,8 +147,13 @@ class BatchSystem final : public System {
   GaugeTreatment treatment_;  // of the current solve()
   double last_chi2_ = 0;      // of the last chi2()
   double model_chi2_ = 0;     // at the estimates of the last linearization
-  bool stopped_ = false;      // of stopped()
-  bool is_complete_ = false;  // whether the last linearization was not stopped
+  double step_in_deviations_ = 0;
+  PreciseSolver precise_;
+  bool is_precise_ = false;
+  int precise_steps_ = 0;
+  std::optional<bool> is_stiff_;  // at the estimates of the last linearization, once it is known
+  bool stopped_ = false;          // of stopped()
+  bool is_complete_ = false;      // whether the last linearization was not stopped
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;

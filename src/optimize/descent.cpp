@@ -29,14 +29,24 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
   }
 }
 
+/// chi2 per unknown below which estimates fit noise-free data exactly: the errors are below 1e-10 standard
+/// deviations.
+constexpr double kExact = 1e-20;
+
+/// Whether chi2 is above the chi2 at the start of a run by more than a rounding error.
+bool is_above(double start, double chi2, std::size_t unknowns) {
+  constexpr double kRelative = 1e-9;
+  return chi2 > (1 + kRelative) * start + kExact * static_cast<double>(unknowns);
+}
+
 /// The relative rounding error of chi2, which is a sum.
 constexpr double kChi2Rounding = 1e-13;
 
-/// Whether the estimates fit noise-free data exactly. Errors below 1e-10 standard deviations are only
-/// rounding errors, even if the model predicts a further decrease for the next step.
+/// Whether the estimates fit noise-free data exactly. Then chi2 has only rounding errors, even if the model
+/// predicts a further decrease for the next step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
-  constexpr double kRounding = 1e-20, kFallsFast = 0.25;
-  return record.chi2 <= kRounding * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
+  constexpr double kFallsFast = 0.25;
+  return record.chi2 <= kExact * static_cast<double>(unknowns) && record.chi2 >= kFallsFast * chi2_before;
 }
 
 /// Whether both the decrease of chi2 and the predicted decrease are at most `fraction` times chi2.
@@ -45,14 +55,15 @@ bool gains_less_than(double fraction, const IterationRecord& record) {
          record.predicted_decrease <= fraction * record.chi2;
 }
 
+/// `step` is the largest entry of the step, in standard deviations.
 std::optional<Report::Reason> convergence(const Options& options, const IterationRecord& record,
-                                          double chi2_before, std::size_t unknowns, double largest_step,
+                                          double chi2_before, double step, std::size_t unknowns,
                                           bool cut_short) {
   if (record.gradient_max <= options.gradient_tolerance) return Report::Reason::kGradientTolerance;
   if (is_exact(record, chi2_before, unknowns)) return Report::Reason::kNoFurtherDecrease;
   if (cut_short) return std::nullopt;
   if (gains_less_than(kChi2Rounding, record)) return Report::Reason::kNoFurtherDecrease;
-  if (record.step_max <= options.step_tolerance * largest_step) return Report::Reason::kStepTolerance;
+  if (step <= options.step_tolerance) return Report::Reason::kStepTolerance;
   if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before)
     return Report::Reason::kCostTolerance;
   return std::nullopt;
@@ -64,7 +75,7 @@ Descent::Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const 
                  const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records)
     : graph_(graph),
       system_(system),
-      algorithm_(algorithm),
+      algorithm_(&algorithm),
       options_(options),
       stop_(stop),
       clock_(clock),
@@ -87,16 +98,19 @@ RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> w
 }
 
 RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
-  algorithm_.reset(options_, system_.plan().scalars());
-  const RunResult result = iterate_to_end(wanted, chi2);
+  algorithm_->reset(options_, system_.plan().scalars());
+  RunResult result = iterate_to_end(wanted, chi2);
+  if (result.status == Report::Status::kConverged && is_above(chi2, result.chi2, system_.gradient().size())) {
+    result.status = Report::Status::kNotConverged;
+    result.reason = Report::Reason::kRaisedChi2;
+  }
   iterations_ += result.iterations;
-  regularized_steps_ += algorithm_.regularized_steps();
+  regularized_steps_ += algorithm_->regularized_steps();
   return result;
 }
 
 RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
-  double largest_step = 0;
   Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());
   for (int iteration = 0;; ++iteration) {
     if (stop_.raised()) return {Report::Status::kNotConverged, reason_of(stop_), chi2, iteration};
@@ -106,7 +120,7 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
     system_.begin_iteration();
-    const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
+    const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
     system_.expect_no_trial();
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
@@ -115,10 +129,11 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     records_.push_back(record);
     const double before = chi2;
     chi2 = record.chi2;
-    largest_step = std::max(largest_step, record.step_max);
+    const double variance = std::min(before, chi2) / std::max(1.0, degrees_of_freedom_);
+    const double step = system_.step_in_deviations() / std::sqrt(variance);
     const bool goes_on = call_back(record) && wanted(record);
     const std::size_t unknowns = system_.gradient().size();
-    if (const auto reason = convergence(options_, record, before, unknowns, largest_step, cut_short))
+    if (const auto reason = convergence(options_, record, before, step, unknowns, cut_short))
       return {Report::Status::kConverged, *reason, chi2, iteration + 1};
     if (significance.is_lost(record))
       return {Report::Status::kConverged, Report::Reason::kCostTolerance, chi2, iteration + 1};

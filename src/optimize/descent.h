@@ -35,6 +35,11 @@ class Descent {
   Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options,
           const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records);
 
+  /// The following runs use this algorithm.
+  void use(Algorithm& algorithm) { algorithm_ = &algorithm; }
+  /// The following runs leave this many iterations of Options::max_iterations.
+  void leave(int iterations) { left_out_ = iterations; }
+
   Graph& graph() { return graph_; }
   BatchSystem& system() { return system_; }
   const Options& options() const { return options_; }
@@ -56,7 +61,7 @@ class Descent {
 
   /// Whether iterations are left and nothing has stopped the runs.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
-  int iterations_left() const { return options_.max_iterations - iterations_ + uncounted_; }
+  int iterations_left() const { return options_.max_iterations - left_out_ - iterations_ + uncounted_; }
   /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
@@ -73,13 +78,13 @@ class Descent {
 
   Graph& graph_;
   BatchSystem& system_;
-  Algorithm& algorithm_;
+  Algorithm* algorithm_;
   const Options& options_;
   const StopToken& stop_;
   const Stopwatch& clock_;
   std::vector<IterationRecord>& records_;
   double degrees_of_freedom_ = 0;
-  int iterations_ = 0, regularized_steps_ = 0, displaced_directions_ = 0;
+  int iterations_ = 0, left_out_ = 0, regularized_steps_ = 0, displaced_directions_ = 0;
   int uncounted_ = 0;  // the iterations that do not count against the limit
 };
 

@@ -155,10 +155,11 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     system.reject();
     if (stopped) return IterationOutcome::kStopped;
     record.chi2 = chi2;
+    if (!cut_short && is_rough(system, step_, predicted, chi2)) return IterationOutcome::kNoFurtherDecrease;
     if (predicted <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
   }
   const double newton_decrease = model_decrease(system.gradient(), newton_, system.curvature(newton_));
-  return outcome_without_decrease(newton_decrease, max_abs(newton_), chi2);
+  return outcome_without_decrease(system, newton_, newton_decrease, chi2);
 }
 
 }  // namespace boxplus

@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
+#include "linearize/stiff_edge.h"
 #include "optimize/edge_counts.h"
 #include "optimize/non_finite.h"
 #include "optimize/planned_system.h"
 #include "optimize/rejection.h"
-#include "optimize/weight_span.h"
 
 namespace boxplus {
 namespace {
@@ -45,14 +44,6 @@ std::int64_t degrees_of_freedom(const Report& report) {
   return static_cast<std::int64_t>(report.rows) - determined;
 }
 
-/// Whether this result may be wrong because some edges have such large weights that other edges have no
-/// effect. The final estimates are then not at a minimum of the whole problem.
-bool may_be_swamped(const RunResult& result) {
-  return result.status == Report::Status::kConverged || result.reason == Report::Reason::kMaxIterations ||
-         result.reason == Report::Reason::kNoStepFound ||
-         result.reason == Report::Reason::kNotPositiveDefinite;
-}
-
 std::string vertex_text(const Graph& graph, VertexRef vertex) {
   return "vertex " + std::to_string(graph.id(vertex)) + " (" +
          std::string(graph.vertex_pools()[vertex.pool]->type_name()) + ")";
@@ -60,7 +51,7 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
 
 /// Appends the vertex or the edge that caused the run to end.
 void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, BatchSystem& system,
-                 const std::optional<SwampingEdge>& swamping, const Report::RejectionReport& rejection) {
+                 const Report::RejectionReport& rejection) {
   if (reason == Report::Reason::kNotPositiveDefinite) {
     message += ": the Hessian is singular or indefinite at " + vertex_text(graph, system.failed_vertex()) +
                "; nothing measures it in some direction";
@@ -68,11 +59,12 @@ void add_culprit(std::string& message, Report::Reason reason, const Graph& graph
     message += ": " + describe_non_finite(graph, system);
   } else if (reason == Report::Reason::kRejectedEdges) {
     message += ": " + rejection_text(rejection);
-  } else if (swamping) {
-    message += ": " + edge_text(graph, swamping->edge) +
-               " has so large an Ω that other edges have no effect at vertex " +
-               std::to_string(graph.id(swamping->vertex)) +
-               "; merge the vertices that it joins, or lower its Ω";
+  } else if (reason == Report::Reason::kWeightSpan) {
+    const auto stiff = find_stiff_edge(graph, system.plan(), system.linearize_options(), kStiffRatio);
+    if (!stiff) return;
+    message += ": in some direction, " + edge_text(graph, stiff->edge) +
+               " has so large an Ω that other measurements of vertex " +
+               std::to_string(graph.id(stiff->vertex)) + " are lost; lower its Ω, or fix what it measures";
   }
 }
 
@@ -117,12 +109,7 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   if (report.robust_edges > 0 && !system.stopped())
     find_rejection(report.rejection, graph, system.plan(), system.linearizer().workers());
-  std::optional<SwampingEdge> swamping;
-  if (may_be_swamped(result)) swamping = find_swamping_edge(graph, system.plan());
-  if (swamping) {
-    result.status = Report::Status::kNotConverged;
-    result.reason = Report::Reason::kWeightSpan;
-  } else if (result.status == Report::Status::kConverged && rejects_too_much(report.rejection)) {
+  if (result.status == Report::Status::kConverged && rejects_too_much(report.rejection)) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRejectedEdges;
   }
@@ -133,7 +120,7 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   if (!system.gauge_is_free()) report.gauge.free.clear();
   report.degrees_of_freedom = degrees_of_freedom(report);
   report.message.assign(to_string(result.reason));
-  add_culprit(report.message, result.reason, graph, system, swamping, report.rejection);
+  add_culprit(report.message, result.reason, graph, system, report.rejection);
   if (std::isnan(report.chi2_initial) && is_interruption(result.reason))
     report.message += " before chi2 was evaluated";
 }

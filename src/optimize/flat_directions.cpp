@@ -23,19 +23,25 @@ bool has_flat_scalar(std::span<const double> diagonal) {
   return std::any_of(diagonal.begin(), diagonal.end(), [&](double entry) { return entry <= limit; });
 }
 
-/// A step along all scalars whose Jacobians are zero. Its entries differ, so that two vertices at the same
-/// place move apart.
+/// A step along all scalars whose Jacobians are zero. Its length differs between vertices, so that two
+/// vertices at the same place move apart. It differs between the scalars of a vertex, so that a vertex does
+/// not move along a diagonal, where a direction that is held because its pivot vanished could be the wrong
+/// one.
 Displacement fill_step(const BatchSystem& system, std::vector<double>& step) {
-  constexpr double kLength = 1e-2, kGoldenRatio = 0.6180339887498949;
+  constexpr double kLength = 1e-2, kGoldenRatio = 0.6180339887498949, kShrink = 0.25;
   const std::span<const double> diagonal = system.diagonal();
   const std::vector<std::uint32_t>& fixed = system.plan().fixed_scalars;
+  const BlockStructure& structure = system.plan().structure;
   const double limit = kFlat * max_abs(diagonal);
   Displacement result;
-  for (std::uint32_t i = 0; i < diagonal.size(); ++i) {
-    if (!(diagonal[i] <= limit) || std::find(fixed.begin(), fixed.end(), i) != fixed.end()) continue;
-    double whole = 0;
-    step[i] = kLength * (0.5 + std::modf(kGoldenRatio * i, &whole));
-    ++result.directions;
+  for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
+    double whole = 0, length = kLength * (0.5 + std::modf(kGoldenRatio * block, &whole));
+    for (std::uint32_t i = structure.offset[block]; i < structure.offset[block + 1]; ++i) {
+      if (!(diagonal[i] <= limit) || std::find(fixed.begin(), fixed.end(), i) != fixed.end()) continue;
+      step[i] = length;
+      length *= kShrink;
+      ++result.directions;
+    }
   }
   return result;
 }

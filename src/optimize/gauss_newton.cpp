@@ -2,6 +2,7 @@
 #include "optimize/gauss_newton.h"
 
 #include "optimize/outcome.h"
+#include "optimize/roughness.h"
 #include "optimize/vector_math.h"
 
 namespace boxplus {
@@ -27,6 +28,14 @@ IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationReco
     const bool stopped = system.stopped();
     system.reject();
     return stopped ? IterationOutcome::kStopped : IterationOutcome::kNoStepFound;
+  }
+  if (record.chi2_decrease <= 0) {
+    system.reject();
+    if (is_rough(system, step_, record.predicted_decrease, chi2)) return IterationOutcome::kNoFurtherDecrease;
+    if (!std::isfinite(system.try_step(step_))) {
+      system.reject();
+      return IterationOutcome::kStopped;
+    }
   }
   system.accept();
   return IterationOutcome::kAccepted;

@@ -7,7 +7,8 @@
 
 namespace boxplus {
 
-/// Takes every Gauss-Newton step, even if it does not lower chi2.
+/// Takes every Gauss-Newton step, even if it does not lower chi2. Ends when chi2 has only rounding errors
+/// along a step.
 class GaussNewton final : public Algorithm {
  public:
   std::string_view name() const override { return "Gauss-Newton"; }

@@ -96,8 +96,8 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
   if (started_) system.expect({lambda_, scale_});
   if (!system.linearize()) return outcome_without_linearization(system);
   if (!started_) start_damping(system);
-  double largest_prediction = 0, largest_step = 0;
-  bool largest_cut_short = false;
+  double longest_step = 0, longest_lambda = lambda_, longest_prediction = 0;
+  bool longest_cut_short = false;
   LinearStatus last = LinearStatus::kOk;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
     last = record.tries == 1 ? find_first_step(system, chi2, record) : find_step(system, lambda_, record);
@@ -107,20 +107,22 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
       if (take_step(system, chi2, record))
         return cut_short_ ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
       if (system.stopped()) return IterationOutcome::kStopped;
-      if (record.step_max >= largest_step) largest_cut_short = cut_short_;
-      largest_prediction = std::max(largest_prediction, predicted_);
-      largest_step = std::max(largest_step, record.step_max);
+      if (!cut_short_ && is_rough(system, step_, predicted_, chi2))
+        return IterationOutcome::kNoFurtherDecrease;
+      if (record.step_max >= longest_step) {
+        longest_step = record.step_max;
+        longest_lambda = lambda_;
+        longest_prediction = predicted_;
+        longest_cut_short = cut_short_;
+      }
       if (predicted_ <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
     }
     raise_damping();
   }
-  if (last == LinearStatus::kOk && largest_cut_short) {
-    last = find_step(system, default_damping(system), record);
-    largest_prediction = predicted_;
-    largest_step = max_abs(step_);
-  }
+  if (last == LinearStatus::kOk && (longest_cut_short || longest_prediction > kNegligible * chi2))
+    last = find_step(system, longest_cut_short ? default_damping(system) : longest_lambda, record);
   if (last != LinearStatus::kOk) return outcome_of(last);
-  return outcome_without_decrease(largest_prediction, largest_step, chi2);
+  return outcome_without_decrease(system, step_, predicted_, chi2);
 }
 
 }  // namespace boxplus

@@ -6,17 +6,31 @@
 #include <utility>
 
 #include "boxplus/optimize/algorithm_table.h"
+#include "linearize/stiff_edge.h"
 #include "optimize/fill_report.h"
+#include "optimize/finish_stiff.h"
 #include "optimize/planned_system.h"
 #include "optimize/starts.h"
 
 namespace boxplus {
 namespace {
 
+template <class E>
+void require_enumerator(E value, E last, const std::string& type) {
+  if (value > last) {
+    throw InvalidArgument("Options: expected one of the values of " + type + ", got " +
+                          std::to_string(static_cast<int>(value)));
+  }
+}
+
 void check(const Options& options) {
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw InvalidArgument(std::string("Options: expected ") + what);
   };
+  require_enumerator(options.precision, Precision::kMixed, "Precision");
+  require_enumerator(options.gauge, GaugePolicy::kError, "GaugePolicy");
+  require_enumerator(options.schur, SchurMode::kImplicit, "SchurMode");
+  require_enumerator(options.damping, Options::DampingScale::kDiagonal, "DampingScale");
   require(options.max_iterations >= 0, "max_iterations ≥ 0");
   require(options.threads >= 0, "threads ≥ 0");
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
@@ -28,6 +42,13 @@ void check(const Options& options) {
           "a finite initial_lambda ≥ 0");
   require(options.initial_radius >= 0, "initial_radius ≥ 0");
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
+}
+
+/// Throws if the optimizer has no `impl`, because it was moved from.
+template <class Impl>
+Impl& checked(const std::unique_ptr<Impl>& impl) {
+  if (!impl) throw InvalidArgument("Optimizer: it was moved from; use the Optimizer to which it was moved");
+  return *impl;
 }
 
 /// Marks a graph as being optimized during the lifetime of this object. Throws if the graph is already
@@ -66,7 +87,7 @@ struct Optimizer::Impl {
   std::shared_ptr<detail::LifeState> life;  // tells whether `graph` still exists
   Options options;
   PlannedSystem planned;
-  Estimates memory;  // scratch memory of minimize_from_starts()
+  Estimates memory;  // scratch memory of minimize_from_starts() and finish_stiff()
   std::map<AlgorithmKind, std::unique_ptr<Algorithm>> algorithms;
 };
 
@@ -130,10 +151,14 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
   if (options.gauge == GaugePolicy::kError && system.is_free())
     return {Report::Status::kFailed, Report::Reason::kGaugeFreedom, chi2, 0};
   Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
-  const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
+  const bool may_be_stiff = information_is_stiff(*graph, system.plan());
+  if (may_be_stiff) descent.leave(iterations_to_finish(options));
+  RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
+  if (may_be_stiff || system.precise_steps() > 0) result = finish_stiff(descent, algorithm, result, memory);
   report.iterations = static_cast<int>(report.records.size());
   report.start.other_iterations = descent.iterations() - report.iterations;
   report.regularized_steps = descent.regularized_steps();
+  report.precise_steps = system.precise_steps();
   report.displaced_directions = descent.displaced_directions();
   return result;
 }
@@ -145,19 +170,19 @@ Optimizer::Optimizer(Optimizer&&) noexcept = default;
 Optimizer& Optimizer::operator=(Optimizer&&) noexcept = default;
 
 const Options& Optimizer::options() const {
-  return impl_->options;
+  return checked(impl_).options;
 }
 
 void Optimizer::set_options(Options options) {
-  impl_->options = std::move(options);
+  checked(impl_).options = std::move(options);
 }
 
 void Optimizer::run(Report& report) {
-  impl_->run(nullptr, report);
+  checked(impl_).run(nullptr, report);
 }
 
 void Optimizer::run(Algorithm& algorithm, Report& report) {
-  impl_->run(&algorithm, report);
+  checked(impl_).run(&algorithm, report);
 }
 
 Report Optimizer::run() {
@@ -173,7 +198,7 @@ Report Optimizer::run(Algorithm& algorithm) {
 }
 
 Covariance Optimizer::covariance(std::span<const VertexRef> vertices) const {
-  return boxplus::covariance(impl_->checked_graph(), vertices, impl_->options);
+  return boxplus::covariance(checked(impl_).checked_graph(), vertices, checked(impl_).options);
 }
 
 Report optimize(Graph& graph, const Options& options) {

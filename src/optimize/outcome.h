@@ -2,6 +2,7 @@
 #pragma once
 
 #include "boxplus/optimize/algorithm.h"
+#include "optimize/roughness.h"
 
 namespace boxplus {
 
@@ -29,14 +30,14 @@ inline constexpr double kNegligible = 1e-9;
 /// longer, until the predicted decrease is this fraction of chi2.
 inline constexpr double kNoticeable = 1e-6;
 
-/// The outcome if no trial step lowered chi2. `predicted` and `step_max` describe the step that neither
-/// damping nor a radius shortens. The estimates are at a minimum if the predicted decrease of this step is
-/// negligible. They are also at a minimum if the step itself is negligible, because chi2 then has only
-/// rounding errors.
-inline IterationOutcome outcome_without_decrease(double predicted, double step_max, double chi2) {
-  constexpr double kStep = 1e-9;
-  return predicted <= kNegligible * chi2 || step_max <= kStep ? IterationOutcome::kNoFurtherDecrease
-                                                              : IterationOutcome::kNoStepFound;
+/// The outcome if no trial step lowered chi2. `step` is the step that neither damping nor a radius shortens,
+/// and `predicted` is its predicted decrease. The estimates are at a minimum if this decrease is negligible.
+/// They are also at a minimum if chi2 has only rounding errors along the step.
+inline IterationOutcome outcome_without_decrease(System& system, std::span<double> step, double predicted,
+                                                 double chi2) {
+  return predicted <= kNegligible * chi2 || is_rough(system, step, predicted, chi2)
+             ? IterationOutcome::kNoFurtherDecrease
+             : IterationOutcome::kNoStepFound;
 }
 
 }  // namespace boxplus

@@ -175,6 +175,10 @@ void add_notes(Text& text, const Report& report) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
         report.regularized_steps);
   }
+  if (report.precise_steps > 0) {
+    add(text, "  {:<16}an Ω is so large that {} step(s) were computed with 32 digits\n", "note",
+        report.precise_steps);
+  }
 }
 
 }  // namespace
@@ -264,6 +268,8 @@ std::string_view to_string(Report::Reason reason) {
       return "the callback asked to stop";
     case Report::Reason::kNoStepFound:
       return "no step that lowers chi2 was found";
+    case Report::Reason::kRaisedChi2:
+      return "chi2 is above its start; dogleg and Levenberg-Marquardt take only steps that lower it";
     case Report::Reason::kNotPositiveDefinite:
       return "the linear system cannot be solved";
     case Report::Reason::kRejectedEdges:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/types/dense_prior.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
@@ -53,7 +55,7 @@ Rows from_information(const Eigen::MatrixXd& H, const Eigen::VectorXd& b, int co
   if (cols > 0 && values[0] < -1e5 * floor)
     throw InvalidArgument(
         "DensePrior: expected a positive semi-definite information matrix, got the eigenvalue " +
-        std::to_string(values[0]));
+        fmt::format("{:.9g}", values[0]));
   Index flat = 0;
   while (flat < values.size() && values[flat] <= floor) ++flat;
   const Index rows = values.size() - flat;

@@ -94,6 +94,8 @@ class ColmapTest(CommandCase):
 
     def test_a_model_can_be_inspected(self):
         done = run("info", self.folder)
+        self.assertRegex(done.stdout, r"worst edges +chi2 +share +between\n")
+        self.assertNotIn("?", done.stdout)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("Reprojection<SIMPLE_RADIAL>", done.stdout)
         self.assertIn("unknowns      50 ", done.stdout)  # 2 poses (1 pose is held), 12 points, f and k

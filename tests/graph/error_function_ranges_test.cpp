@@ -72,6 +72,34 @@ TEST(SeveralRanges, ReachTheErrorFunctionInTheOrderOfTheArguments) {
   EXPECT_THAT(w.graph.edges(w.points[1]), ElementsAre(EdgeRef(edge)));
 }
 
+/// The sum of the range. Before it reads the range, it evaluates another edge of the same type.
+struct SumAfterAnother {
+  const Graph* graph = nullptr;
+  EdgeRef other = {};
+  template <class S>
+  S error(std::span<const S> x) const {
+    if (graph != nullptr) {
+      (void)graph->chi2(other);
+      (void)graph->jacobian(other);
+    }
+    return std::accumulate(x.begin(), x.end(), S(0.0));
+  }
+};
+
+TEST(Ranges, StayTheSameWhileTheErrorFunctionEvaluatesAnotherEdgeOfItsType) {
+  Graph graph;
+  std::vector<VertexHandle<double>> small, large;
+  for (int k = 0; k < 3; ++k) small.push_back(graph.add_vertex(1.0));
+  for (int k = 0; k < 7; ++k) large.push_back(graph.add_vertex(100.0));
+  const auto inner = graph.add_edge(SumAfterAnother{}, large);
+  const auto middle = graph.add_edge(SumAfterAnother{&graph, inner}, small);
+  const auto outer = graph.add_edge(SumAfterAnother{&graph, middle}, small);
+  for (const EdgeRef edge : {middle, outer}) {
+    EXPECT_EQ(graph.chi2(edge), 9);
+    for (const Eigen::MatrixXd& J : graph.jacobian(edge)) EXPECT_EQ(J, Eigen::MatrixXd::Ones(1, 1));
+  }
+}
+
 TEST(SeveralRanges, HaveExactJacobiansForEachVertexOfEachRange) {
   World w;
   const auto edge = w.graph.add_edge(Stack{}, w.pose, w.points, w.scales);

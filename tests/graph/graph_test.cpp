@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -273,6 +274,18 @@ TEST(Graph, Chi2SumsOverEnabledEdgesAndAppliesTheirKernels) {
   graph.set_enabled(prior, true);
   graph.set_kernel(prior, nullptr);
   EXPECT_EQ(graph.chi2(), 22);
+}
+
+TEST(Graph, ReservesNoMoreEdgesThanOneTypeCanHave) {
+  Graph graph;
+  const auto a = graph.add_vertex(4.0);
+  const auto edge = graph.add_edge(kPrior, a);
+  graph.reserve_edges(edge, 100);
+  for (const std::size_t count : {std::size_t{1} << 32, std::numeric_limits<std::size_t>::max()}) {
+    EXPECT_THAT(complaint([&] { graph.reserve_edges(edge, count); }),
+                HasSubstr("expected at most 4294967295 edges, got "));
+  }
+  EXPECT_EQ(graph.edge_count(), 1u);
 }
 
 TEST(Graph, ANewLevelAdvancesTheRevisionAndNewValuesDoNot) {

@@ -70,6 +70,21 @@ TEST(Information, OfTheWrongSizeIsRefused) {
   EXPECT_EQ(graph.edge_count(), 0u);
 }
 
+TEST(Information, WithMoreRowsThanAnyTriangleHasIsRefused) {
+  for (const int rows : {65536, 2'000'000'000, std::numeric_limits<int>::max()})
+    EXPECT_THROW(Information::upper_triangle(std::array{1.0, 2.0}, rows), InvalidArgument);
+  try {
+    (void)Information::upper_triangle(std::array{1.0, 2.0}, 2'000'000'000);
+  } catch (const InvalidArgument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the 2000000001000000000 values"));
+  }
+}
+
+TEST(Information, ThatIsNegativeByLittleIsShownWithItsDigits) {
+  EXPECT_THAT(Information(-1e-18).complaint(2), HasSubstr("got the diagonal entry -1e-18"));
+  EXPECT_THAT(Information(matrix2(-1e-18, 1e-30, 1e-30, 1)).complaint(2), HasSubstr("diagonal entry -1e-18"));
+}
+
 TEST(Information, WithoutRowsIsRefused) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
@@ -105,7 +120,7 @@ TEST(Information, IsRefusedUnlessItIsSymmetricSemiDefiniteAndFinite) {
 }
 
 TEST(Information, IsRefusedWithAMessageThatNamesTheNegativeEigenvalue) {
-  EXPECT_THAT(Information(matrix2(1, 2, 2, 1)).complaint(2), HasSubstr("eigenvalue -1.0"));
+  EXPECT_THAT(Information(matrix2(1, 2, 2, 1)).complaint(2), HasSubstr("eigenvalue -1"));
 }
 
 TEST(Information, MayBeSingular) {

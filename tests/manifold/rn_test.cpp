@@ -37,6 +37,13 @@ TEST(Rn, KeepsItsEigenOptionsIfItIsConvertedToDualNumbers) {
   static_assert(std::is_same_v<detail::Rebind<Vector<double, 3>, D>, Vector<D, 3>>);
 }
 
+TEST(Rn, RefusesTheDifferenceOfVectorsOfTwoSizes) {
+  double delta[5];
+  using M = Manifold<Eigen::VectorXd>;
+  EXPECT_THROW(M::ominus(Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(5), delta), InvalidArgument);
+  EXPECT_THROW(M::ominus(Eigen::VectorXd::Zero(5), Eigen::VectorXd::Zero(3), delta), InvalidArgument);
+}
+
 TEST(Rn, AddsTheTangent) {
   const double delta[] = {0.5, 0.25};
   EXPECT_EQ((Manifold<Eigen::Vector2d>::oplus({1, 2}, delta)), Eigen::Vector2d(1.5, 2.25));

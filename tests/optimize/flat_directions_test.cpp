@@ -42,7 +42,7 @@ TEST_P(FlatDirections, AreLeftIfTwoMovingPointsCoincide) {
 
 TEST_P(FlatDirections, AreLeftIfARotationIsWrongBy180Degrees) {
   for (const SE3::Quaternion& wrong :
-       {SE3::Quaternion{0, 1, 0, 0}, SE3::Quaternion{0, 0, 1, 0}, SE3::Quaternion{0, 0, 0, 1}}) {
+       {SE3::Quaternion{1, 0, 0, 0}, SE3::Quaternion{0, 1, 0, 0}, SE3::Quaternion{0, 0, 1, 0}}) {
     Graph graph;
     const auto first = graph.add_vertex(SE3());
     const auto second = graph.add_vertex(SE3(Vector3(1, 0, 0), wrong));

@@ -325,6 +325,90 @@ TEST(Gauge, StaysHeldIfTheDataFitPerfectly) {
   }
 }
 
+/// Cameras that see points with one focal length f: the error is f p⁻¹ l − z. One camera is fixed, so only
+/// the scale is free, and only together with f.
+struct FocalLength {
+  Graph graph;
+  VertexRef focal_length;
+  std::vector<VertexHandle<Vector2>> points;
+
+  explicit FocalLength(bool is_parameter = false) { add(is_parameter); }
+
+  void add(bool is_parameter) {
+    if (is_parameter) {
+      const auto focal = graph.add_parameter(1.2);
+      graph.unfix(focal);
+      add_edges(focal);
+    } else {
+      add_edges(graph.add_vertex(1.2));
+    }
+  }
+  template <class Focal>
+  void add_edges(Focal focal) {
+    focal_length = focal;
+    std::vector<VertexHandle<SE2>> cameras;
+    for (int k = 0; k < 4; ++k) cameras.push_back(graph.add_vertex(SE2(k, 0.3 * k * k, 0.2 * k)));
+    graph.fix(cameras[0]);
+    for (int k = 0; k < 6; ++k) {
+      const Vector2 truth(2 + std::sin(2 * k), 1 + std::cos(3 * k));
+      points.push_back(graph.add_vertex(Vector2(truth + Vector2(0.05, 0.02 * k))));
+      for (const auto& camera : cameras) {
+        const Vector2 z = graph.estimate(camera).inverse_times(truth);
+        graph.add_edge(
+            [z](const auto& p, const auto& l, const auto& f) { return (f * p.inverse_times(l) - z).eval(); },
+            camera, points.back(), focal);
+      }
+    }
+  }
+};
+
+TEST(Gauge, OfAScaleThatIsFreeTogetherWithAFocalLengthIsNamedUnderEveryPolicy) {
+  for (const bool is_parameter : {false, true}) {
+    for (const auto gauge : {GaugePolicy::kFixFirst, GaugePolicy::kDamp, GaugePolicy::kError}) {
+      FocalLength problem(is_parameter);
+      const Report report = optimize(problem.graph, {.gauge = gauge});
+      EXPECT_THAT(to_string(report),
+                  testing::HasSubstr("gauge           scale free in the component of vertex"))
+          << report;
+      EXPECT_EQ(report.reason == Report::Reason::kGaugeFreedom, gauge == GaugePolicy::kError) << report;
+      if (gauge != GaugePolicy::kError) {
+        EXPECT_TRUE(report.converged()) << report;
+        EXPECT_LT(report.chi2_final, 1e-15) << report;
+      }
+    }
+  }
+}
+
+TEST(Gauge, OfAScaleThatIsFreeTogetherWithAFocalLengthHoldsTheFocalLength) {
+  FocalLength problem;
+  const auto f = problem.graph.typed<double>(problem.focal_length);
+  const Report report = optimize(problem.graph, {.algorithm = AlgorithmKind::kGaussNewton});
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(problem.graph.estimate(f), 1.2);
+  EXPECT_EQ(report.regularized_steps, 0);
+}
+
+TEST(Gauge, OfScalesThatAreFreeTogetherWithFocalLengthsIsNamedForEachComponent) {
+  for (const bool is_parameter : {false, true}) {
+    FocalLength problem(is_parameter);
+    problem.add(is_parameter);
+    const Report report = optimize(problem.graph);
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_EQ(report.gauge.free.size(), 2u) << report;
+  }
+}
+
+TEST(Gauge, OfAScaleIsNotFreeIfTheFocalLengthIsMeasuredOrASecondPointIsKnown) {
+  FocalLength measured, known;
+  measured.graph.add_edge(Prior(1.0), measured.graph.typed<double>(measured.focal_length));
+  known.graph.fix(known.points[0]);
+  for (FocalLength* problem : {&measured, &known}) {
+    const Report report = optimize(problem->graph);
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_THAT(report.gauge.free, IsEmpty()) << report;
+  }
+}
+
 TEST(Gauge, IsNotFixedByParameters) {
   Graph graph;
   const auto offset = graph.add_parameter(SE3());

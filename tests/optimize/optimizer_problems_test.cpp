@@ -95,6 +95,30 @@ TEST(Optimize, RefusesInvalidOptions) {
                InvalidArgument);
 }
 
+TEST(Optimize, RefusesOptionsThatAreNotValuesOfTheirEnum) {
+  Graph graph;
+  add_noisy_circle(graph, 5);
+  const auto refusal = [&](auto set) -> std::string {
+    Options options;
+    set(options);
+    try {
+      (void)optimize(graph, options);
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  using DampingScale = Options::DampingScale;
+  EXPECT_EQ(refusal([](Options& o) { o.gauge = static_cast<GaugePolicy>(3); }),
+            "Options: expected one of the values of GaugePolicy, got 3");
+  EXPECT_EQ(refusal([](Options& o) { o.precision = static_cast<Precision>(3); }),
+            "Options: expected one of the values of Precision, got 3");
+  EXPECT_EQ(refusal([](Options& o) { o.schur = static_cast<SchurMode>(77); }),
+            "Options: expected one of the values of SchurMode, got 77");
+  EXPECT_EQ(refusal([](Options& o) { o.damping = static_cast<DampingScale>(2); }),
+            "Options: expected one of the values of DampingScale, got 2");
+}
+
 TEST(Optimize, OfASubsetMovesOnlyItsVertices) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "boxplus/testing/simulate.h"
 #include "optimize/small_graphs.h"
 #include "optimize/table_entries.h"
 
@@ -195,6 +196,37 @@ TEST_P(EveryAlgorithm, EndsWhenOnlyRoundingErrorsRemainEvenIfTolerancesAreZero) 
   EXPECT_LT(report.iterations, 20) << report;
 }
 
+TEST_P(EveryAlgorithm, ReachesTheOptimumBesideAVertexThatStartsFarAway) {
+  const auto run = [&](Graph& graph) {
+    const Report report = optimize(graph, options_);
+    EXPECT_TRUE(report.converged()) << report;
+    return report.chi2_final;
+  };
+  Graph alone = simulate(World::kManhattan, {.poses = 500}).graph, beside = alone;
+  using Clock = Vector<double, 1>;
+  beside.add_edge(Prior(Clock(1.7e18)), beside.add_vertex(Clock(0.0)));
+  const double chi2 = run(alone);
+  EXPECT_NEAR(run(beside), chi2, 1e-6 * chi2);
+}
+
+TEST_P(EveryAlgorithm, FitsExactMeasurementsFarFromTheOriginInFewIterations) {
+  for (const double scale : {1e-8, 1.0, 1e8}) {
+    Graph graph = simulate(World::kTorus, {.poses = 300, .noise = 0}).graph;
+    for (const EdgeRef& edge : graph.all_edges()) graph.set_information(edge, scale);
+    const SE3 far_away(Vector3(1e6, 2e6, 3e6), SO3::from_rotation_vector(Vector3(0.1, 0.2, 0.3)));
+    for (const VertexRef& vertex : graph.all_vertices()) {
+      const auto pose = graph.vertex<SE3>(graph.id(vertex));
+      const double offset = graph.is_fixed(pose) ? 0 : 0.1 * std::sin(pose.slot);
+      const SE3 displaced(Vector3(offset, -offset, offset), SO3());
+      graph.set_estimate(pose, far_away * graph.estimate(pose) * displaced);
+    }
+    const Report report = optimize(graph, options_);
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_LT(report.chi2_final, 1e-16 * scale * report.scalars);
+    EXPECT_LT(report.iterations, 30) << report;
+  }
+}
+
 TEST_P(EveryAlgorithm, NamesTheEdgeWhoseErrorIsNotANumber) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 10);
@@ -234,25 +266,44 @@ TEST_P(EveryAlgorithm, RestoresTheEstimatesIfAnErrorFunctionThrows) {
 INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm, testing::ValuesIn(every_algorithm()),
                          [](const auto& test) { return test_name(test.param); });
 
-/// The error x − z with a Jacobian of the wrong sign.
+/// The error x − z with a wrong Jacobian.
 struct WrongJacobian {
-  double measurement;
+  double measurement, slope;
   double error(const double& x) const { return x - measurement; }
   template <class J>
   void jacobians(const double&, J& jacobian) const {
-    jacobian(0, 0) = -1;
+    jacobian(0, 0) = slope;
   }
 };
 
 TEST(Optimize, DoesNotReportConvergenceIfNoStepReachesItsPredictedDecrease) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
+    for (const double unit : {1.0, 1e-10}) {
+      for (const double slope : {-1.0, -10.0, -0.1}) {
+        Graph graph;
+        const auto x = graph.add_vertex(0.0);
+        graph.add_edge(WrongJacobian{5 * unit, slope}, 1 / (unit * unit), x);
+        const Report report = optimize(graph, {.algorithm = algorithm});
+        EXPECT_EQ(report.status, Report::Status::kNotConverged);
+        EXPECT_EQ(report.reason, Report::Reason::kNoStepFound);
+        EXPECT_EQ(graph.estimate(x), 0.0);
+      }
+    }
+  }
+}
+
+TEST(Optimize, DoesNotReportConvergenceIfGaussNewtonEndsAboveItsStart) {
+  for (const auto algorithm : every_algorithm()) {
     Graph graph;
     const auto x = graph.add_vertex(0.0);
-    graph.add_edge(WrongJacobian{5}, x);
+    graph.add_edge([](const auto& v) { return v - 10.0; }, x);
+    graph.add_edge([](const auto& v) { return 100.0 / (1.0 + exp(20.0 * (5.0 - v))); }, x);  // a wall at 5
     const Report report = optimize(graph, {.algorithm = algorithm});
-    EXPECT_EQ(report.status, Report::Status::kNotConverged);
-    EXPECT_EQ(report.reason, Report::Reason::kNoStepFound);
-    EXPECT_EQ(graph.estimate(x), 0.0);
+    const bool jumps = algorithm == AlgorithmKind::kGaussNewton;
+    EXPECT_EQ(report.converged(), !jumps) << report;
+    EXPECT_EQ(report.chi2_final > report.chi2_initial, jumps);
+    EXPECT_EQ(report.reason == Report::Reason::kRaisedChi2, jumps);
+    EXPECT_EQ(to_string(report).find("chi2 is above its start") != std::string::npos, jumps);
   }
 }
 

@@ -4,11 +4,14 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "boxplus/optimize/algorithm.h"
+#include "boxplus/optimize/algorithm_table.h"
 #include "optimize/small_graphs.h"
 
 namespace boxplus {
@@ -59,6 +62,28 @@ TEST(Optimizer, KeepsItsOptionsAndPlanIfItIsMoved) {
   Optimizer second = std::move(first);
   EXPECT_EQ(second.options().max_iterations, 7);
   EXPECT_TRUE(second.run().plan_reused);
+}
+
+TEST(Optimizer, ThatWasMovedFromRefusesEveryCall) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 10);
+  Optimizer first(graph);
+  Optimizer second = std::move(first);
+  Report report;
+  const auto algorithm = make_algorithm(AlgorithmKind::kGaussNewton);
+  const std::vector<std::function<void()>> calls{
+      [&] { (void)first.run(); },
+      [&] { first.run(report); },
+      [&] { (void)first.run(*algorithm); },
+      [&] { first.run(*algorithm, report); },
+      [&] { (void)first.options(); },
+      [&] { first.set_options({}); },
+      [&] { (void)first.covariance(poses[1], poses[1]); },
+  };
+  for (const auto& call : calls)
+    EXPECT_THAT(call, ThrowsMessage<InvalidArgument>(HasSubstr("Optimizer: it was moved from")));
+  first = std::move(second);
+  EXPECT_TRUE(first.run().converged());
 }
 
 TEST(Optimizer, MayBeConstructedBeforeTheGraphIsFilled) {

@@ -104,9 +104,7 @@ TEST(AutomaticStart, MakesNoGuessIfOnlyOneIterationIsAllowed) {
 
 TEST(AutomaticStart, DoesNotCountTheFirstIterationsFromAStartThatIsGivenUp) {
   const auto report_after = [](int iterations) {
-    Graph graph;
-    int turn = 0;
-    for (const auto pose : add_noisy_circle(graph, 60)) graph.set_estimate(pose, SE2(0, 0, 2.0 * turn++));
+    Graph graph = std::move(simulate(World::kTorus, {.poses = 150, .noise = 10}).graph);
     return optimize(graph, {.start = Start::kAutomatic, .max_iterations = iterations});
   };
   const Report one = report_after(1), two = report_after(2);

@@ -241,13 +241,15 @@ class TableMaker {
     iterations.default_text = fmt::format("{}", defaults.max_iterations);
     make_whole_number(iterations, 0,
                       [](RunSettings& settings) -> int& { return settings.options.max_iterations; });
-    Setting& time = add("Stop", "time-limit", "Stop after this many seconds of optimization");
+    Setting& time = add("Stop", "time-limit",
+                        "Stop after this many seconds of optimization, or earlier if the next computation "
+                        "cannot be interrupted and would end too late (ordering 100,000 poses: up to 0.1 s)");
     time.unit = "SECONDS";
     make_number(time, false, [](RunSettings& settings) -> double& { return settings.options.time_limit_s; });
     add_tolerance("cost-tolerance", "Converged if a step reduces chi2 by less than this fraction",
                   &Options::cost_tolerance);
     add_tolerance("step-tolerance",
-                  "Converged if a step is smaller than this fraction of the largest step of the run",
+                  "Converged if no entry of a step is larger than this fraction of its standard deviation",
                   &Options::step_tolerance);
     add_tolerance("gradient-tolerance", "Converged if no entry of the gradient is larger than this",
                   &Options::gradient_tolerance);

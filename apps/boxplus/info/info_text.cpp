@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "command_line/message.h"
@@ -121,11 +122,21 @@ std::string edge_types_text(const GraphFacts& facts) {
 
 std::string worst_text(const GraphFacts& facts) {
   if (facts.worst.empty()) return {};
-  Table table({"<worst edges", "chi2", "share", "line", "<between"});
+  // A COLMAP model has no lines of edges.
+  const bool has_lines = std::any_of(facts.worst.begin(), facts.worst.end(),
+                                     [](const EdgeFacts& edge) { return edge.line > 0; });
+  const auto row = [has_lines](std::string edge, std::string chi2, std::string share, std::string line,
+                               std::string vertices) {
+    std::vector<std::string> cells{std::move(edge), std::move(chi2), std::move(share)};
+    if (has_lines) cells.push_back(std::move(line));
+    cells.push_back(std::move(vertices));
+    return cells;
+  };
+  Table table(row("<worst edges", "chi2", "share", "line", "<between"));
   for (const EdgeFacts& edge : facts.worst) {
     const double share = facts.chi2 > 0 ? 100 * edge.chi2 / facts.chi2 : 0;
-    table.add({escaped(edge.tag), number(edge.chi2, 6), fmt::format("{:.1f} %", share),
-               edge.line > 0 ? fmt::format("{}", edge.line) : "?", list(edge.vertices)});
+    table.add(row(escaped(edge.tag), number(edge.chi2, 6), fmt::format("{:.1f} %", share),
+                  edge.line > 0 ? fmt::format("{}", edge.line) : "?", list(edge.vertices)));
   }
   return "\n" + table.text();
 }

@@ -140,6 +140,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"jacobians", jacobians_json(report.jacobians)},
                      {"regularized_steps", report.regularized_steps},
                      {"displaced_directions", report.displaced_directions},
+                     {"precise_steps", report.precise_steps},
                      {"time_s", time_json(report.time, facts)},
                      {"records", records_json(report.records)}};
   // Messages may contain text from the file, so bytes that are not valid UTF-8 are replaced.

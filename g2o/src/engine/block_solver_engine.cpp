@@ -254,9 +254,7 @@ double BlockSolverEngine::State::largest_diagonal() const {
 /// Says why the system cannot be solved, and at which vertex if this is known.
 std::string BlockSolverEngine::State::reason(LinearStatus status, std::uint32_t failed_block) const {
   std::string text = "the linear system is ";
-  text += status != LinearStatus::kNotPositiveDefinite ? "not finite"
-          : settings.indefinite                        ? "singular"
-                                                       : "not positive definite";
+  text += status == LinearStatus::kNotPositiveDefinite ? "not positive definite" : "not finite";
   if (failed_block == BlockStructure::kAbsent) return text;
   const std::uint32_t h = failed_block < eliminated ? kept + failed_block : failed_block - eliminated;
   return text + " (at vertex " + std::to_string(ids[h]) + ")";
@@ -272,12 +270,13 @@ bool BlockSolverEngine::State::complain(LinearStatus status, std::uint32_t faile
     G2O_WARN("{}", reason(status, failed_block));
     return false;
   }
-  const char* cure = not_definite && !settings.indefinite
-                         ? "; only Gauss-Newton with LinearSolverCholmod solves indefinite systems, such as "
-                           "those of equality constraints with Lagrange multipliers"
-                         : "";
+  const char* more = !not_definite         ? ""
+                     : settings.indefinite ? ", and it is singular"
+                                           : "; only Gauss-Newton with LinearSolverCholmod solves indefinite "
+                                             "systems, such as those of equality constraints with Lagrange "
+                                             "multipliers";
   const auto level = std::exchange(complained, true) ? logging::Level::kWarn : logging::Level::kError;
-  logging::format_and_log(level, "{}{}", reason(status, failed_block), cure);
+  logging::format_and_log(level, "{}{}", reason(status, failed_block), more);
   return false;
 }
 

@@ -51,9 +51,9 @@ detail::Rebind<T, S> lift(const T& x, int column, int first) {
     return Manifold<detail::Rebind<T, S>>::oplus(lifted, delta.data());
   };
   if constexpr (kDim == kDynamic) {
-    auto& delta = thread_scratch<std::vector<S>, struct LiftedDelta>();
-    delta.resize(static_cast<std::size_t>(dim));
-    return seed(delta);
+    const BorrowedScratch<std::vector<S>, struct LiftedDelta> delta;
+    delta->resize(static_cast<std::size_t>(dim));
+    return seed(*delta);
   } else {
     std::array<S, static_cast<std::size_t>(kDim > 0 ? kDim : 1)> delta;
     return seed(delta);
@@ -183,10 +183,10 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
   const auto evaluate_moved = [&](double* out) {
     std::apply([&](const auto&... a) { copy_rows(evaluate(e, Argument<V>(a)...), rows, out); }, moved);
   };
-  auto& kept = thread_scratch<NumericMemory, struct OfNumericJacobian>();
-  NumericMemory memory = std::exchange(kept, {});  // an error function may call this function again
-  std::vector<double>& delta = memory.delta;
-  NumericDerivative& differentiate = memory.differentiate;
+  // An error function may call this function again.
+  const BorrowedScratch<NumericMemory, struct OfNumericJacobian> memory;
+  std::vector<double>& delta = memory->delta;
+  NumericDerivative& differentiate = memory->differentiate;
   delta.assign(static_cast<std::size_t>(cols), 0.0);
   int column = 0;
   const auto columns_of = [&](auto& slot) {
@@ -212,7 +212,6 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
     }
   };
   std::apply([&](auto&... arguments) { (visit(arguments), ...); }, moved);
-  kept = std::move(memory);
 }
 
 }  // namespace boxplus::detail

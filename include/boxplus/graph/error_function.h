@@ -9,7 +9,7 @@
 //
 // Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
 // Options::threads is 1. Both functions are const. An edge that writes to shared or mutable data (a counter,
-// a cache) must protect it.
+// a cache) must protect it. They may evaluate other edges of the graph (chi2(), error(), jacobian()).
 //
 // There are three ways to get Jacobians:
 //   - If the function is generic in the scalar of its arguments, dual numbers differentiate it exactly.

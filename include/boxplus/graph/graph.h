@@ -14,6 +14,7 @@
 #include <typeindex>
 #include <typeinfo>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "boxplus/base/error.h"
@@ -134,13 +135,21 @@ class Graph {
     return typed_pool<T>(vertex).value(vertex.slot);
   }
   /// Sets the estimate of a vertex. If a run-time-size estimate changes its size, the error functions of its
-  /// edges must accept the new size.
+  /// edges must accept the new size and keep their number of rows. Otherwise, throws InvalidArgument that
+  /// names the sizes, and nothing has changed. A change of the size takes as long as a call of edges().
   template <detail::ManifoldType T>
   void set_estimate(VertexHandle<T> vertex, std::type_identity_t<detail::StoredEstimate<T>> estimate) {
     detail::StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
     const bool resized = boxplus::detail::tangent_dim(value) != boxplus::detail::tangent_dim(estimate);
-    value = std::move(estimate);
-    if (resized) note_rewrite();
+    if (!resized) return void(value = std::move(estimate));
+    std::swap(value, estimate);
+    try {
+      check_sizes_of_edges(vertex);
+    } catch (...) {
+      std::swap(value, estimate);
+      throw;
+    }
+    note_rewrite();
   }
 
   Id id(VertexRef vertex) const;
@@ -184,7 +193,9 @@ class Graph {
   // ---- Edges ----
 
   /// Adds an edge with the identity as information. The vertices are handles; the last arguments may be
-  /// ranges of handles, each of one type. Throws InvalidArgument if a vertex appears twice or is stale.
+  /// ranges of handles, each of one type. Throws InvalidArgument if a vertex appears twice or is stale. If
+  /// the size of the error or of a vertex is chosen at run time, the error function is called once. If it
+  /// throws InvalidArgument because a size does not fit, the message also names the vertices and their sizes.
   template <class E, class... H>
   requires(detail::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
     return add_edge(std::move(error), Information(1.0), vertices...);
@@ -210,7 +221,8 @@ class Graph {
     detail::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
     (append_tail_size(tail_sizes, vertices), ...);
     const std::uint32_t end = pool.slots();
-    const std::uint32_t slot = pool.add(std::move(error), information, slots, tail_sizes);
+    const int rows = count_rows(pool, error, refs, slots, tail_sizes);
+    const std::uint32_t slot = pool.add(std::move(error), information, rows, slots, tail_sizes);
     note_addition(slot == end);
     const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
     if (incidence_) index_edge(handle, refs);
@@ -218,6 +230,7 @@ class Graph {
   }
 
   /// Reserves memory for a total of `count` edges of the type of `like`. Saves time if you add many edges.
+  /// Throws InvalidArgument if `count` is above 2³² − 1, the largest number of edges of one type.
   void reserve_edges(EdgeRef like, std::size_t count);
 
   /// The error function (measurement) of an edge.
@@ -225,10 +238,16 @@ class Graph {
   const E& measurement(EdgeHandle<E> edge) const {
     return *static_cast<const E*>(edge_access<E>(edge).value(*edge_pools_[edge.pool], edge.slot));
   }
-  /// Replaces the error function. The number of rows must stay the same.
+  /// Replaces the error function. Throws InvalidArgument if the number of rows changes, or if a size does not
+  /// fit (as add_edge() does); then nothing has changed.
   template <class E>
   void set_measurement(EdgeHandle<E> edge, E error) {
-    edge_access<E>(edge).replace(*edge_pools_[edge.pool], edge.slot, &error);
+    const EdgeAccess& access = edge_access<E>(edge);
+    try {
+      access.exchange(*edge_pools_[edge.pool], edge.slot, &error);
+    } catch (const InvalidArgument& misfit) {
+      throw_misfit(misfit, vertices(edge));
+    }
   }
 
   bool contains(EdgeRef edge) const;
@@ -337,6 +356,20 @@ class Graph {
   void check(EdgeRef edge) const;
   static std::optional<VertexRef> find_repetition(std::span<const VertexRef> vertices);
   void check_distinct(std::span<const VertexRef> vertices) const;
+  /// Throws an InvalidArgument with the message of `misfit`, the vertices of the edge and their sizes.
+  [[noreturn]] void throw_misfit(const InvalidArgument& misfit, std::span<const VertexRef> vertices) const;
+  /// The number of rows of a new edge.
+  template <class Pool, class E>
+  int count_rows(const Pool& pool, const E& error, std::span<const VertexRef> vertices,
+                 std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
+    try {
+      return pool.count_rows(error, slots, tail_sizes);
+    } catch (const InvalidArgument& misfit) {
+      throw_misfit(misfit, vertices);
+    }
+  }
+  /// Evaluates the edges of a vertex whose size has changed. Throws InvalidArgument if one does not fit.
+  void check_sizes_of_edges(VertexRef vertex) const;
   void mark_parameter(VertexRef vertex);
   std::vector<EdgeRef> find_edges(VertexRef vertex) const;
   void index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexcept;
@@ -406,7 +439,7 @@ class Graph {
   struct EdgeAccess {
     const std::type_info* type;
     const void* (*value)(const detail::EdgePool&, std::uint32_t slot);
-    void (*replace)(detail::EdgePool&, std::uint32_t slot, void* error);
+    void (*exchange)(detail::EdgePool&, std::uint32_t slot, void* error);
 
     template <class E, class Pool>
     static EdgeAccess of() {
@@ -415,7 +448,7 @@ class Graph {
                 return &static_cast<const Pool&>(pool).value(slot);
               },
               [](detail::EdgePool& pool, std::uint32_t slot, void* error) {
-                static_cast<Pool&>(pool).replace(slot, std::move(*static_cast<E*>(error)));
+                static_cast<Pool&>(pool).exchange(slot, std::move(*static_cast<E*>(error)));
               }};
     }
   };

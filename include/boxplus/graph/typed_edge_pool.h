@@ -42,15 +42,31 @@ class TypedEdgePool final : public EdgePool {
   using Indices = std::make_index_sequence<sizeof...(V)>;
 
  public:
+  /// Whether the sizes of the error or of a vertex are chosen at run time. Then an error function may reject
+  /// its vertices, and count_rows() finds out.
+  static constexpr bool kHasRunTimeSizes =
+      kRows == kDynamic || ((Manifold<detail::ElementOf<V>>::kDim == kDynamic) || ...);
+
   using VertexPools = std::tuple<const TypedVertexPool<detail::ElementOf<V>>*...>;
 
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
       : EdgePool(std::move(vertex_pools), kTails), pools_(pools) {}
 
-  /// `tail_sizes`: the number of vertices in each tail. If the function throws, nothing has changed.
-  std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots,
-                    std::span<const std::uint32_t> tail_sizes = {}) {
-    const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots, tail_sizes);
+  /// The number of rows of the error at the current estimates. `tail_sizes`: the number of vertices in each
+  /// tail. Calls the error function only if the edge has run-time sizes.
+  int count_rows(const E& edge, std::span<const std::uint32_t> vertex_slots,
+                 std::span<const std::uint32_t> tail_sizes) const {
+    if constexpr (!kHasRunTimeSizes) {
+      return kRows;
+    } else {
+      return with_slots(vertex_slots, tail_sizes,
+                        [&](auto... x) { return detail::row_count(detail::evaluate(edge, x.get()...)); });
+    }
+  }
+
+  /// `rows` is the result of count_rows(). If the function throws, nothing has changed.
+  std::uint32_t add(E edge, const Information& information, int rows,
+                    std::span<const std::uint32_t> vertex_slots, std::span<const std::uint32_t> tail_sizes) {
     std::uint32_t slot = next_slot(vertex_slots.size());
     if (slot < edges_.size()) {
       replace(slot, std::move(edge));
@@ -68,6 +84,13 @@ class TypedEdgePool final : public EdgePool {
     }
     if constexpr (kRows == kDynamic) rows_.push_back(rows);
     return slot;
+  }
+
+  /// Replaces the error function of an edge. Throws InvalidArgument if its number of rows is another one.
+  void exchange(std::uint32_t slot, E edge) {
+    const int actual = count_rows(edge, vertex_slots(slot), tail_sizes(slot));
+    if (actual != rows(slot)) throw_row_count(rows(slot), actual);
+    replace(slot, std::move(edge));
   }
 
   /// Puts another error function into a slot. If E cannot be assigned (a lambda with captures), the old
@@ -167,22 +190,23 @@ class TypedEdgePool final : public EdgePool {
   }
 
  private:
-  /// An argument of the error function. A tail is copied into contiguous memory of the worker.
-  template <class A>
+  /// The I-th argument of the error function. A tail is copied into contiguous memory of the worker, which
+  /// nested calls do not touch: an error function may evaluate other edges of its own type.
+  template <class A, std::size_t I>
   struct Loaded {
-    const detail::ElementOf<A>* value;
-    std::size_t count;
-    detail::Argument<A> get() const {
-      if constexpr (kIsTail<A>) {
-        return {value, count};
-      } else {
-        return *value;
-      }
-    }
+    const A* value;
+    const A& get() const { return *value; }
   };
+  template <class T, std::size_t I>
+  struct Loaded<Tail<T>, I> {
+    Loaded(const TypedVertexPool<T>& pool, std::span<const std::uint32_t> slots) {
+      elements->clear();
+      for (const std::uint32_t slot : slots) elements->push_back(pool.value(slot));
+    }
+    std::span<const T> get() const { return *elements; }
 
-  template <std::size_t I>
-  struct GatheredTail;
+    BorrowedScratch<std::vector<T>, Loaded> elements;
+  };
 
   /// The slots of the I-th argument, which is a tail.
   template <std::size_t I>
@@ -195,15 +219,12 @@ class TypedEdgePool final : public EdgePool {
   }
 
   template <class A, std::size_t I>
-  Loaded<A> load(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
+  Loaded<A, I> load(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
     const auto& pool = *std::get<I>(pools_);
     if constexpr (kIsTail<A>) {
-      auto& gathered = thread_scratch<std::vector<detail::ElementOf<A>>, GatheredTail<I>>();
-      gathered.clear();
-      for (std::uint32_t slot : slots_of_tail<I>(slots, tail_sizes)) gathered.push_back(pool.value(slot));
-      return {gathered.data(), gathered.size()};
+      return {pool, slots_of_tail<I>(slots, tail_sizes)};
     } else {
-      return {&pool.value(slots[I]), 1};
+      return {&pool.value(slots[I])};
     }
   }
 
@@ -259,12 +280,6 @@ class TypedEdgePool final : public EdgePool {
     } else {
       return rows_[edge];
     }
-  }
-
-  int count_rows(const E& edge, std::span<const std::uint32_t> slots,
-                 std::span<const std::uint32_t> tail_sizes) const {
-    return with_slots(slots, tail_sizes,
-                      [&](auto... x) { return detail::row_count(detail::evaluate(edge, x.get()...)); });
   }
 
   /// Calls f(edge, its error, its Jacobian) for each edge of a tile.

@@ -65,8 +65,9 @@ struct SparseModel {
 /// that was not read from a model gets the ids 1, 2, …, the ids of its poses as names of images, and images
 /// large enough for all of their features. Throws InvalidArgument if the graph is none of bundle adjustment:
 /// if it has other elements than cameras, poses, points and reprojection errors with the identity as
-/// information, if an image has no camera or several, or if the camera model is unknown to COLMAP. BAL's
-/// cameras become RADIAL.
+/// information, if an image has no camera or several, if the camera model is unknown to COLMAP, or if the
+/// rounded values of the model would have other reprojection errors than the graph. BAL's cameras become
+/// RADIAL.
 SparseModel sparse_model(const GraphFile& file);
 
 }  // namespace boxplus

@@ -23,7 +23,8 @@ enum class GaugePolicy : std::uint8_t {
 
 namespace boxplus::detail {
 
-/// Motions of all poses and points of a component that change no error.
+/// Motions of all poses and points of a component that change no error. Vertices without a frame, such as a
+/// focal length, may have to change along with them.
 struct GaugeFreedom {
   VertexRef vertex;  ///< a vertex of the component
   Id id = 0;

@@ -5,11 +5,13 @@
 #include "boxplus/autodiff/dual.h"
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/manifold.h"
+#include "boxplus/manifold/same_size.h"
 #include "boxplus/manifold/scalar.h"
 
 namespace boxplus {
 
-/// Column vectors of fixed or run-time size, with any Eigen options.
+/// Column vectors of fixed or run-time size, with any Eigen options. ominus() throws InvalidArgument if the
+/// sizes differ.
 template <class S, int N, int Options, int MaxRows, int MaxCols>
 struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
   using Point = Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>;
@@ -27,6 +29,7 @@ struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
   }
   template <class D>
   static void ominus(const Point& y, const Point& x, D* delta) {
+    detail::require_same_size(x, "the other vector", y);
     for (Eigen::Index i = 0; i < x.size(); ++i) delta[i] = y[i] - x[i];
   }
   template <class T>

@@ -14,7 +14,7 @@ enum class IterationOutcome : std::uint8_t {
   kAccepted,       ///< took a step that lowers chi2 (Gauss-Newton: took a step)
   kAcceptedShort,  ///< like kAccepted, but damping or a trust region shortened the step, so a small step or
                    ///< a small decrease does not indicate a minimum
-  kNoFurtherDecrease,  ///< no step lowers chi2, and the predicted decrease is below rounding error
+  kNoFurtherDecrease,  ///< no step lowers chi2, except by rounding errors
   kNoStepFound,        ///< no step lowers chi2, although the model predicts a decrease
   kNotPositiveDefinite,
   kNotFinite,

@@ -25,9 +25,10 @@ class Algorithm;
 ///
 /// A numerical failure is a status in the report, never an exception. The estimates are then the best that
 /// were found. All methods throw InvalidArgument for misuse: stale handles in the options, two eliminated
-/// vertices in one edge, tolerances that are not numbers, a run inside of a run on the same graph, and a
-/// graph that was moved, assigned to or destroyed since the optimizer was made. If an error function throws,
-/// run() throws the same exception, and the estimates are those before the current step.
+/// vertices in one edge, options that are not numbers or not values of their enum, a run inside of a run on
+/// the same graph, an optimizer that was moved from, and a graph that was moved, assigned to or destroyed
+/// since the optimizer was made. If an error function throws, run() throws the same exception, and the
+/// estimates are those before the current step.
 ///
 /// Results have the same bits for any number of threads. Only one thread may use an Optimizer at a time.
 class Optimizer {

@@ -27,18 +27,21 @@ struct [[nodiscard]] Report {
     kCostTolerance,
     kStepTolerance,
     kGradientTolerance,
-    kNoFurtherDecrease,  ///< no step lowers chi2 any more, and the predicted decrease is below rounding error
+    kNoFurtherDecrease,  ///< no step lowers chi2 any more, except by rounding errors
     kNothingToOptimize,  ///< no active edge contains a vertex that may move
     kMaxIterations,
     kTimeLimit,
     kStopFlag,
     kCallback,
     kNoStepFound,          ///< every damped step raised chi2
+    kRaisedChi2,           ///< Gauss-Newton met a tolerance, but at a higher chi2 than that of its start
     kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
     kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
     kRejectedEdges,        ///< robust kernels reject edges that the result needs (see RejectionReport)
-    kWeightSpan,           ///< an Ω is so large that rounding in H loses other edges; see `message`
-    kGaugeFreedom          ///< the gauge of a component is free, and the policy is GaugePolicy::kError
+    /// An Ω is so large, at least in some direction, that other edges are lost by rounding. The estimates are
+    /// not at a minimum, and no step improves them. `message` names the edge.
+    kWeightSpan,
+    kGaugeFreedom  ///< the gauge of a component is free, and the policy is GaugePolicy::kError
   };
 
   /// The requested start, the start that was used, and how the starts compared.
@@ -133,6 +136,9 @@ struct [[nodiscard]] Report {
   /// chi2 was not at a minimum: for example, where a Range connects positions that coincide, or where a
   /// rotation differs from its measurement by 180°.
   int displaced_directions = 0;
+  /// The number of steps that were computed with 32 digits. Such steps are slow. They are needed if an Ω is,
+  /// in some direction, more than about 1e10 times as large as others.
+  int precise_steps = 0;
   int threads = 1;             ///< maximum number of threads that the options allow
   int workers = 1;             ///< number of threads that linearize or factorize; small problems use fewer
   bool plan_reused = false;    ///< the structure has not changed since the last run

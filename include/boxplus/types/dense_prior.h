@@ -120,7 +120,10 @@ class DensePrior {
     const auto visit = [&]<class V>(std::span<const V> estimates, const std::vector<V>& means) {
       if (estimates.size() != means.size())
         dense_prior::throw_count(detail::type_name<V>(), means.size(), estimates.size());
-      for (std::size_t k = 0; k < means.size(); ++k) f(estimates[k], means[k]);
+      for (std::size_t k = 0; k < means.size(); ++k) {
+        detail::require_same_size(means[k], "the mean", estimates[k]);
+        f(estimates[k], means[k]);
+      }
     };
     std::apply([&](const auto&... means) { (visit(x, means), ...); }, means_);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boxplus/graph/manifold_frames.h"
+#include "boxplus/manifold/same_size.h"
 #include "boxplus/manifold/scalar.h"
 
 namespace boxplus::detail {
@@ -14,9 +15,11 @@ inline constexpr bool kIsPose = requires(const T& x) {
   x.translation();
 };
 
-/// b relative to a: a⁻¹ b for poses and rotations, b − a for vectors.
+/// b relative to a: a⁻¹ b for poses and rotations, b − a for vectors. Throws InvalidArgument if their sizes
+/// differ.
 template <class X>
 X motion_between(const X& a, const X& b) {
+  require_same_size(a, "the first vertex", b);
   if constexpr (requires { a.inverse_times(b); }) {
     return a.inverse_times(b);
   } else if constexpr (requires { a - b; }) {
@@ -26,9 +29,11 @@ X motion_between(const X& a, const X& b) {
   }
 }
 
-/// e = x ⊟ z over the scalar of x: vec(z⁻¹ x) for poses, x − z for vectors.
+/// e = x ⊟ z over the scalar of x: vec(z⁻¹ x) for poses, x − z for vectors. Throws InvalidArgument if their
+/// sizes differ.
 template <class X, class T>
 auto difference(const X& x, const T& z) {
+  require_same_size(z, "the measurement", x);
   using S = ScalarOf<X>;
   Vector<S, Manifold<T>::kDim> e(boxplus::detail::tangent_dim(x));
   Manifold<X>::ominus(x, Manifold<T>::template cast<S>(z), e.data());

@@ -20,6 +20,8 @@ struct Range {
   detail::ScalarOf<A> error(const A& a, const B& b) const {
     using std::sqrt;
     using S = detail::ScalarOf<A>;
+    detail::require_size(static_cast<int>(detail::position(a).size()), "the first vertex",
+                         static_cast<int>(detail::position(b).size()));
     const auto d = (detail::position(b) - detail::position(a)).eval();
     S sum = d[0] * d[0];
     for (Eigen::Index i = 1; i < d.size(); ++i) sum += d[i] * d[i];

@@ -8,7 +8,9 @@
 #include "boxplus/base/error.h"
 #include "io/bal/bal_axes.h"
 #include "io/bal/bal_format.h"
+#include "io/bal/bal_pose.h"
 #include "io/colmap/model_reader.h"
+#include "io/written_errors.h"
 
 namespace boxplus {
 namespace {
@@ -17,6 +19,7 @@ namespace {
 struct CenteredCamera {
   BalCamera camera;
   double cx = 0, cy = 0;
+  const SparseModel::Camera* in_model = nullptr;
 };
 
 CenteredCamera centered(const SparseModel::Camera& camera) {
@@ -36,7 +39,10 @@ CenteredCamera centered(const SparseModel::Camera& camera) {
 GraphFile bal_from_model(const SparseModel& model) {
   GraphFile file;
   std::unordered_map<std::uint32_t, CenteredCamera> cameras;
-  for (const SparseModel::Camera& camera : model.cameras) cameras[camera.id] = centered(camera);
+  for (const SparseModel::Camera& camera : model.cameras) {
+    CenteredCamera& entry = cameras[camera.id] = centered(camera);
+    entry.in_model = &camera;
+  }
   std::vector<VertexHandle<BalVertex>> images;
   for (const SparseModel::Image& image : model.images) {
     images.push_back(
@@ -47,10 +53,16 @@ GraphFile bal_from_model(const SparseModel& model) {
     points[point.id] = file.graph.add_vertex(Vector3(point.position.data()));
   for (std::size_t i = 0; i < images.size(); ++i) {
     const CenteredCamera& camera = cameras.at(model.images[i].camera);
+    const SE3 pose = pose_of(model.images[i]);
+    const BalVertex written(BalPose(with_turned_axes(pose)).T_world_camera(), camera.camera);
     for (const SparseModel::Feature& feature : model.images[i].features) {
       if (feature.point == SparseModel::Feature::kNoPoint) continue;
-      const Vector2 pixel(feature.pixel[0] - camera.cx, camera.cy - feature.pixel[1]);
-      file.edges.push_back(file.graph.add_edge(BalEdge(pixel), images[i], points.at(feature.point)));
+      const BalEdge edge(Vector2(feature.pixel[0] - camera.cx, camera.cy - feature.pixel[1]));
+      const auto point = points.at(feature.point);
+      const Vector3& estimate = file.graph.estimate(point);
+      require_equal_error("BAL's .bal", {"image", model.images[i].id, static_cast<Id>(feature.point)},
+                          error_of(*camera.in_model, pose, feature, estimate), edge.error(written, estimate));
+      file.edges.push_back(file.graph.add_edge(edge, images[i], point));
     }
   }
   return file;

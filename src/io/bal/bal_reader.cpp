@@ -7,8 +7,10 @@
 #include "boxplus/base/error.h"
 #include "boxplus/graph/make_room.h"
 #include "io/bal/bal_format.h"
+#include "io/bal/bal_pose.h"
 #include "io/bal/number_block.h"
 #include "io/characters.h"
+#include "io/moderate_pose.h"
 #include "io/pipeline.h"
 
 namespace boxplus {
@@ -148,11 +150,8 @@ class BalReader {
   }
 
   void take_camera(const NumberBlock& block, std::size_t last) {
-    const Vector3 rotation(item_.data()), translation(item_.data() + 3);
-    const SE3 T_world_camera = SE3(translation, SO3::from_rotation_vector(rotation)).inverse();
-    constexpr double kMostDistant = 1e150;  // so that squared distances do not overflow
-    if (!(T_world_camera.translation().cwiseAbs().maxCoeff() < kMostDistant) ||
-        !T_world_camera.vector().allFinite())
+    const SE3 T_world_camera = BalPose(Vector3(item_.data()), Vector3(item_.data() + 3)).T_world_camera();
+    if (!is_moderate(T_world_camera))
       fail(block, last,
            fmt::format("camera {}: expected a pose with moderate values, got values that overflow", items_));
     file_.graph.set_estimate(cameras_[items_],

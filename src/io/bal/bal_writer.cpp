@@ -7,9 +7,12 @@
 #include "boxplus/io/field_reader.h"
 #include "io/bal/bal_format.h"
 #include "io/bal/bal_from_model.h"
+#include "io/bal/bal_pose.h"
 #include "io/colmap/camera_types.h"
 #include "io/colmap/graph_model.h"
 #include "io/edges_to_write.h"
+#include "io/moderate_pose.h"
+#include "io/written_errors.h"
 
 namespace boxplus {
 namespace {
@@ -37,6 +40,7 @@ class BalWriter {
     for (const auto& pool : graph_.vertex_pools()) index_.emplace_back(pool->slots());
     for (const VertexRef& vertex : graph_.all_vertices()) number(vertex);
     for (const EdgeRef& edge : edges_) check(edge);
+    check_errors();
   }
 
   void write(TextSink sink) const {
@@ -91,6 +95,27 @@ class BalWriter {
       refuse(name() + " with another information");
   }
 
+  /// Refuses a graph if a reader of the file would have other poses or errors.
+  void check_errors() const {
+    std::vector<BalVertex> read;
+    for (const VertexRef& vertex : cameras_) {
+      const BalVertex& camera = graph_.estimate(graph_.typed<BalVertex>(vertex));
+      read.emplace_back(BalPose(camera.get<0>()).T_world_camera(), camera.get<1>());
+      if (!is_moderate(read.back().get<0>()))
+        refuse(fmt::format("vertex {} with a pose that overflows", graph_.id(vertex)));
+    }
+    for (const EdgeRef& edge : edges_) {
+      const auto& pool = static_cast<const BalEdgePool&>(*graph_.edge_pools()[edge.pool]);
+      const BalEdge& observation = pool.value(edge.slot);
+      const std::vector<VertexRef> vertices = graph_.vertices(edge);
+      const Vector3& point = graph_.estimate(graph_.typed<Vector3>(vertices[1]));
+      const auto camera = static_cast<std::size_t>(index_[vertices[0].pool][vertices[0].slot]);
+      require_equal_error("BAL's .bal", {"camera", graph_.id(vertices[0]), graph_.id(vertices[1])},
+                          observation.error(graph_.estimate(graph_.typed<BalVertex>(vertices[0])), point),
+                          observation.error(read[camera], point));
+    }
+  }
+
   void write_edge(const EdgeRef& edge, FieldWriter& out) const {
     const auto& pool = static_cast<const BalEdgePool&>(*graph_.edge_pools()[edge.pool]);
     for (const VertexRef& vertex : graph_.vertices(edge)) out.integer(index_[vertex.pool][vertex.slot]);
@@ -101,10 +126,9 @@ class BalWriter {
   }
 
   static void write_camera(const BalVertex& camera, FieldWriter& out) {
-    const SE3 T_camera_world = camera.get<0>().inverse();
-    const Vector3 positive_zero(0, 0, 0);  // x + 0 is 0 also if x is −0
-    write_lines(T_camera_world.so3().rotation_vector() + positive_zero, out);
-    write_lines(T_camera_world.translation() + positive_zero, out);
+    const BalPose pose(camera.get<0>());
+    write_lines(pose.rotation, out);
+    write_lines(pose.translation, out);
     write_lines(camera.get<1>().parameters, out);
   }
 

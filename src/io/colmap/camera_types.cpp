@@ -42,10 +42,15 @@ const Vector2* pixel(const Graph& graph, EdgeRef edge) {
 }
 
 template <class Camera>
+Vector2 project(const double* parameters, const Vector3& point) {
+  return Camera(Eigen::Map<const Vector<double, Camera::kSize>>(parameters)).project(point);
+}
+
+template <class Camera>
 constexpr CameraType type_of(int model_id) {
   return {Camera::kName,      model_id,        Camera::kSize,   Camera::Model::kFocalLengths,
           add_camera<Camera>, observe<Camera>, is_pool<Camera>, values<Camera>,
-          pixel<Camera>};
+          pixel<Camera>,      project<Camera>};
 }
 
 constexpr std::array kTypes{type_of<SimplePinholeCamera>(0),

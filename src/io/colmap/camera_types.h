@@ -27,6 +27,8 @@ struct CameraType {
   /// The measurement of a reprojection error of (pose, point, camera); nullptr if the edge is of another
   /// type.
   const Vector2* (*pixel)(const Graph& graph, EdgeRef edge);
+  /// The pixel of a point in the frame of the camera.
+  Vector2 (*project)(const double* parameters, const Vector3& point);
 };
 
 /// All models, in the order of their ids.

@@ -12,6 +12,8 @@
 #include "io/colmap/graph_roles.h"
 #include "io/colmap/model_reader.h"
 #include "io/edges_to_write.h"
+#include "io/moderate_pose.h"
+#include "io/written_errors.h"
 
 namespace boxplus {
 namespace {
@@ -84,6 +86,7 @@ class ModelMaker {
     take_old_tracks();
     take_new_edges();
     set_cameras();
+    check_errors();
     set_errors();
     return std::move(model_);
   }
@@ -188,18 +191,19 @@ class ModelMaker {
         const std::size_t k = next_edge++;
         if (kept == image_indices_.end()) continue;
         Feature& feature = model_.images[kept->second].features[i];
-        if (k >= edges_.size() || !take_old_edge(k, kept->second, feature)) feature.point = Feature::kNoPoint;
+        if (k >= edges_.size() || !take_old_edge(k, kept->second, i)) feature.point = Feature::kNoPoint;
       }
     }
   }
 
-  bool take_old_edge(std::size_t k, std::size_t image, Feature& feature) {
+  bool take_old_edge(std::size_t k, std::size_t image, std::size_t position) {
     if (edges_[k] == EdgeRef{}) return false;
     const Sight sight = roles_.sight(edges_[k]);
     const Entry& point = entry(sight.point);
+    Feature& feature = model_.images[image].features[position];
     if (entry(sight.image).index != image || model_.points[point.index].id != feature.point) return false;
     feature.pixel = {sight.pixel[0], sight.pixel[1]};
-    take(k, sight);
+    take(k, sight, position);
     return true;
   }
 
@@ -229,11 +233,12 @@ class ModelMaker {
       point.track.push_back({image.id, static_cast<std::uint32_t>(image.features.size())});
       image.features.push_back({{sight.pixel[0], sight.pixel[1]}, point.id});
       changed_tracks_.push_back(index);
-      take(k, sight);
+      take(k, sight, image.features.size() - 1);
     }
   }
 
-  void take(std::size_t k, const Sight& sight) {
+  /// `feature` is the position among the features of the image.
+  void take(std::size_t k, const Sight& sight, std::size_t feature) {
     is_taken_[k] = true;
     Entry& image = entry(sight.image);
     const std::size_t camera = sight.camera == sight.image ? image.camera : entry(sight.camera).index;
@@ -242,7 +247,7 @@ class ModelMaker {
     image.camera = camera;
     const bool is_changed =
         image.is_changed || entry(sight.point).is_changed || entry(sight.camera).is_changed;
-    seen_.push_back({edges_[k], entry(sight.point).index, is_changed});
+    seen_.push_back({edges_[k], image.index, feature, camera, entry(sight.point).index, is_changed});
   }
 
   // ---- What follows from the observations ----
@@ -265,6 +270,26 @@ class ModelMaker {
     }
   }
 
+  /// Refuses a graph if a reader of the model would have other poses or errors.
+  void check_errors() const {
+    std::vector<SE3> poses;
+    for (const Image& image : model_.images) {
+      poses.push_back(pose_of(image));
+      if (!is_moderate(poses.back()))
+        refuse_for_colmap(fmt::format("image {} with a pose that overflows", image.id));
+    }
+    for (const Seen& seen : seen_) {
+      if (!seen.is_changed) continue;
+      const Image& image = model_.images[seen.image];
+      const Point& point = model_.points[seen.point];
+      const std::vector<double> error = graph_.error(seen.edge);
+      require_equal_error("a COLMAP model", {"image", image.id, static_cast<Id>(point.id)},
+                          Vector2(error.data()),
+                          error_of(model_.cameras[seen.camera], poses[seen.image],
+                                   image.features[seen.feature], Vector3(point.position.data())));
+    }
+  }
+
   void set_errors() {
     struct Mean {
       bool is_wanted = false;
@@ -280,14 +305,15 @@ class ModelMaker {
       ++mean.count;
     }
     for (std::size_t i = 0; i < means.size(); ++i) {
-      if (means[i].is_wanted)
-        model_.points[i].error = means[i].count > 0 ? means[i].sum / means[i].count : -1;
+      if (!means[i].is_wanted) continue;
+      const double error = means[i].sum / means[i].count;
+      model_.points[i].error = std::isfinite(error) ? error : -1;
     }
   }
 
   struct Seen {
     EdgeRef edge;
-    std::size_t point;
+    std::size_t image, feature, camera, point;
     bool is_changed;
   };
 

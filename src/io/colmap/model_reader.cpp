@@ -6,6 +6,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "io/moderate_pose.h"
+
 namespace boxplus {
 namespace {
 
@@ -84,14 +86,13 @@ class ModelReader {
   }
 
   void check_pose(const SparseModel::Image& image) const {
-    constexpr double kMostDistant = 1e150;  // so that squared distances do not overflow
     const auto& q = image.rotation;
     const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     if (!(norm > 1e-6 && norm < 1e6))
       images_.fail(images_.place(),
                    fmt::format("image {}: expected a quaternion of length 1, got one of length {:.6g}",
                                image.id, norm));
-    if (!(pose_of(image).translation().cwiseAbs().maxCoeff() < kMostDistant))
+    if (!is_moderate(pose_of(image)))
       images_.fail(
           images_.place(),
           fmt::format("image {}: expected a pose with moderate values, got values that overflow", image.id));
@@ -139,6 +140,13 @@ SE3 pose_of(const SparseModel::Image& image) {
   const auto& q = image.rotation;
   const SO3 rotation(detail::Quaternion<double>{q[1], q[2], q[3], q[0]});
   return SE3(Vector3(image.translation.data()), rotation).inverse();
+}
+
+Vector2 error_of(const SparseModel::Camera& camera, const SE3& T_world_camera,
+                 const SparseModel::Feature& feature, const Vector3& point) {
+  return find_camera_type(camera.model)
+             ->project(camera.parameters.data(), T_world_camera.inverse_times(point)) -
+         Vector2(feature.pixel.data());
 }
 
 }  // namespace boxplus

@@ -25,5 +25,8 @@ GraphFile graph_of(SparseModel model);
 
 /// The pose of an image, as T_world_camera.
 SE3 pose_of(const SparseModel::Image& image);
+/// The reprojection error of a point that a feature shows.
+Vector2 error_of(const SparseModel::Camera& camera, const SE3& T_world_camera,
+                 const SparseModel::Feature& feature, const Vector3& point);
 
 }  // namespace boxplus

@@ -163,7 +163,7 @@ TEST_F(EqualityConstraint, ThatIsGivenTwiceIsSingular) {
   optimizer_.addVertex(second);
   add_equation(2, Eigen::Vector3d(4, -2, 10));
   EXPECT_EQ((optimize<GaussNewton, g2o::LinearSolverCholmod>(3)), 0);
-  EXPECT_THAT(errors_, ElementsAre(HasSubstr("the linear system is singular (at vertex")));
+  EXPECT_THAT(errors_, ElementsAre(HasSubstr("and it is singular")));
   EXPECT_EQ(point_->estimate(), Eigen::Vector2d(10, 10));
 }
 

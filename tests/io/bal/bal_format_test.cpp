@@ -115,6 +115,32 @@ TEST(BalFormat, IsNotWrittenIfItCannotRepresentTheGraph) {
   EXPECT_THAT(complaint_about(graph), HasSubstr("got a parameter"));
 }
 
+TEST(BalFormat, IsNotWrittenIfItsReaderWouldHaveOtherErrors) {
+  const auto complaint_about = [](const SE3& pose, double f, const Vector3& seen) -> std::string {
+    Graph graph;
+    const auto camera = graph.add_vertex(BalVertex(pose, BalCamera(f, 0, 0)), 3);
+    const auto point = graph.add_vertex(Vector3(pose * seen), 8);
+    const Vector2 pixel =
+        graph.estimate(camera).get<1>().project(Vector3(pose.inverse_times(graph.estimate(point))));
+    graph.add_edge(BalEdge(pixel), camera, point);
+    try {
+      bal_format().write({graph}, {}, [](std::string_view) {});
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    return "no complaint";
+  };
+  const SO3 rotation = SO3::from_rotation_vector(Vector3(0.1, -0.2, 0.3));
+  const SE3 near(Vector3(1, 2, 3), rotation), far(Vector3(1.1e18, -2.3e18, 3.7e18), rotation);
+  EXPECT_EQ(complaint_about(near, 500, Vector3(1, 2, -10)), "no complaint");
+  EXPECT_THAT(complaint_about(near, 1e18, Vector3(1, 2, -10)),
+              HasSubstr("cannot write BAL's .bal: camera 3 and point 8: expected values so moderate that the "
+                        "file keeps the reprojection error of"));
+  EXPECT_THAT(complaint_about(far, 500, Vector3(1e4, 2e4, -1e5)), HasSubstr("camera 3 and point 8"));
+  EXPECT_THAT(complaint_about(SE3(Vector3(1e151, 0, 0), rotation), 500, Vector3(0, 0, -1)),
+              HasSubstr("got vertex 3 with a pose that overflows"));
+}
+
 TEST(BalFormat, IsRecognizedByItsFirstTwoLines) {
   const auto recognize = bal_format().recognize;
   EXPECT_TRUE(recognize(kProblem));

@@ -205,6 +205,49 @@ TEST(ColmapFormat, CanBeConvertedToBalAndBackIfTheCamerasAllowIt) {
   EXPECT_EQ(again.model->cameras[0].model, "RADIAL");
 }
 
+TEST(ColmapFormat, IsNotWrittenIfItsReaderWouldHaveOtherErrors) {
+  const auto complaint_about = [](const SE3& pose, double f, const Vector3& seen) {
+    Graph graph;
+    const auto image = graph.add_vertex(pose, 3);
+    const auto point = graph.add_vertex(Vector3(pose * seen), 8);
+    const auto camera = graph.add_parameter(SimplePinholeCamera(f, 0, 0));
+    const Vector2 pixel = graph.estimate(camera).project(Vector3(pose.inverse_times(graph.estimate(point))));
+    graph.add_edge(Reprojection<SimplePinholeCamera>(pixel), image, point, camera);
+    EXPECT_EQ(graph.chi2(), 0);
+    const TestFolder folder("model");
+    return complaint_of([&] { write_graph(folder.file("new"), graph, {.format = "COLMAP"}); });
+  };
+  const SO3 rotation = SO3::from_rotation_vector(Vector3(0.1, -0.2, 0.3));
+  const SE3 near(Vector3(1, 2, 3), rotation), far(Vector3(1.1e18, -2.3e18, 3.7e18), rotation);
+  EXPECT_EQ(complaint_about(near, 500, Vector3(1, 2, 10)), "no complaint");
+  EXPECT_THAT(complaint_about(near, 1e18, Vector3(1, 2, 10)),
+              HasSubstr("cannot write a COLMAP model: image 1 and point 1: expected values so moderate that "
+                        "the file keeps the reprojection error of 0 pixels, got"));
+  EXPECT_THAT(complaint_about(far, 500, Vector3(1e4, 2e4, 1e5)), HasSubstr("image 1 and point 1"));
+  EXPECT_THAT(complaint_about(SE3(Vector3(1e151, 0, 0), rotation), 500, Vector3(0, 0, 1)),
+              HasSubstr("got image 1 with a pose that overflows"));
+}
+
+TEST(ColmapFormat, IsNotConvertedToBalIfItsCenterHidesTheErrors) {
+  ModelTexts texts;
+  texts.cameras = "7 SIMPLE_PINHOLE 640 480 500 1e18 240\n2 SIMPLE_PINHOLE 640 480 500 320 240\n";
+  texts.images.replace(texts.images.find("320 250 30"), 3, "1e18");
+  EXPECT_THAT(complaint_of([&] { format_graph(read_model_texts(texts), {.format = "BAL"}); }),
+              HasSubstr("cannot write BAL's .bal: image 11 and point 30: expected values so moderate"));
+}
+
+TEST(ColmapFormat, HasAnUnknownReprojectionErrorIfTheErrorOverflows) {
+  const GraphFile bal =
+      parse_graph("1 2 2\n0 0 1e200 0\n0 1 3 4\n0\n0\n0\n0\n0\n0\n500\n0\n0\n0\n0\n-9\n0\n0\n-8\n", "bal");
+  for (const char* format : {"COLMAP", "COLMAP-text"}) {
+    const TestFolder folder("model");
+    write_graph(folder.file("new"), bal, {.format = format});
+    const GraphFile again = read_graph(folder.file("new"));
+    EXPECT_EQ(again.model->points[0].error, -1);
+    EXPECT_NEAR(again.model->points[1].error, 5, 1e-6);
+  }
+}
+
 TEST(ColmapFormat, CannotRepresentOtherGraphs) {
   const TestFolder folder("model");
   EXPECT_THAT(complaint_of([&] { write_graph(folder.path(), parse_graph("VERTEX_SE2 0 0 0 0\n", "g")); }),

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/roughness.h"
+
+#include <cmath>
+
+namespace boxplus {
+namespace {
+
+/// F(x) − F(x ⊞ fraction · step)
+double decrease_by(System& system, std::span<double> step, double fraction, double chi2) {
+  for (double& entry : step) entry *= fraction;
+  const double decrease = chi2 - system.try_step(step);
+  system.reject();
+  for (double& entry : step) entry /= fraction;
+  return decrease;
+}
+
+}  // namespace
+
+bool is_rough(System& system, std::span<double> step, double predicted, double chi2) {
+  if (!(predicted > 0)) return false;
+  // Powers of two, so that the entries of the step have the same bits afterwards. The first fraction finds
+  // steps of less than 1e-12 of the estimates. The others are for functions that are smooth only nearby.
+  double previous = 0;  // wrong Jacobians predict a wrong slope, but the slope is the same at two fractions
+  for (const double fraction : {0x1p-13, 0x1p-24, 0x1p-36}) {
+    const double slope = decrease_by(system, step, fraction, chi2) / (2 * fraction * predicted);
+    const bool is_predicted = slope > 0.5 && slope < 2;
+    const bool is_constant = std::abs(slope - previous) < std::abs(previous) / 8;
+    if (!std::isfinite(slope) || is_predicted || is_constant) return false;
+    previous = slope;
+  }
+  return true;
+}
+
+}  // namespace boxplus
