@@ -11,6 +11,7 @@ import { Files } from "./panels/files";
 import { Guess } from "./panels/guess";
 import { Iterations } from "./panels/iterations";
 import { Log } from "./panels/log";
+import { PictureTools } from "./panels/picture_tools";
 import { RunBar } from "./panels/run_bar";
 import { Tabs } from "./panels/tabs";
 import { TopBar } from "./panels/top_bar";
@@ -31,7 +32,7 @@ function main(): void {
   ColorManagement.enabled = false;
   const model = new Model();
   const banners = new Banners(model);
-  const view = createView(banners);
+  const view = createView(model, banners);
   const connection = new Connection({
     onMessage: (message) => receive(message, model, view),
     onConnection: (state) => model.setConnection(state),
@@ -62,19 +63,15 @@ function receive(message: Message, model: Model, view: SceneView | null): void {
 }
 
 /** Without WebGL 2, the panels work and the picture is missing. */
-function createView(banners: Banners): SceneView | null {
+function createView(model: Model, banners: Banners): SceneView | null {
   try {
     const view = new SceneView(byId<HTMLCanvasElement>("scene"));
     new Display(view);
-    byId("fit").addEventListener("click", () => view.fit());
-    byId("scene").addEventListener("keydown", (event) => {
-      if (event.key === "f" || event.key === "F") view.fit();
-    });
+    new PictureTools(view, model, banners);
     return view;
   } catch (error) {
     console.warn(error);
     byId("scene").hidden = true;
-    byId("fit").hidden = true;
     banners.showCommandError("This browser has no WebGL 2, so there is no picture of the graph.");
     return null;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The colors of the scene and of the plot: the variables of style.css, which has them for dark and for light themes.
 import { Color } from "three";
+import type { EdgeGroup, VertexGroup } from "./protocol/messages";
 
 export interface Theme {
   background: Color;
@@ -35,6 +36,16 @@ export function currentTheme(): Theme {
     plot_grid: text("--line"),
     plot_text: text("--dim"),
   };
+}
+
+/** The color of a type, unless the user chose another one. */
+export function typeColor(theme: Theme, group: VertexGroup | EdgeGroup): Color {
+  if ("role" in group) {
+    const { odometry, loop_closure, observation, other } = theme;
+    return { odometry, "loop closure": loop_closure, observation, other }[group.role];
+  }
+  if (group.shape === "point") return theme.landmark;
+  return group.shape === "pose" ? theme.pose : theme.camera;
 }
 
 export function onThemeChange(observer: () => void): void {

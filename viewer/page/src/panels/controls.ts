@@ -30,6 +30,34 @@ export function checkBox(
     create("span", { className: "type" }, details));
 }
 
+/**
+ * A field for a color, with a button that goes back to the default. `take` gets null for the
+ * default.
+ */
+export function colorField(
+  id: string, name: string, color: string | null, default_color: string, take: (color: string | null) => void,
+): HTMLElement {
+  const input = create("input", { type: "color", id, title: `Color: ${name}`, value: color ?? default_color });
+  input.setAttribute("aria-label", `Color: ${name}`);
+  const back = create("button", { type: "button", className: "quiet back", title: `Default color: ${name}` }, "↺");
+  back.setAttribute("aria-label", `Default color: ${name}`);
+  const showBack = (is_chosen: boolean) => (back.disabled = !is_chosen);
+  showBack(color !== null);
+  input.addEventListener("input", () => {
+    showBack(true);
+    take(input.value);
+  });
+  back.addEventListener("click", () => {
+    input.value = default_color;
+    showBack(false);
+    take(null);
+    input.focus();
+    // Forms listen to this event of all their controls.
+    input.parentElement!.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  return create("span", { className: "color" }, input, back);
+}
+
 /** The sign of a type in the picture; `kind` is the name of its color and shape in style.css. */
 export function swatch(kind: string): HTMLElement {
   return create("span", { className: `swatch ${kind}` });

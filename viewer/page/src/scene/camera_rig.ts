@@ -9,6 +9,13 @@ const FIELD_OF_VIEW = 40;
 /** The graph takes this part of the window. */
 const FILLED = 0.9;
 
+/** A camera that turns about the target, or one that looks down on a plane and shows `height` of it. */
+export type CameraState =
+  | { kind: "perspective"; position: Triple; target: Triple }
+  | { kind: "orthographic"; target: Triple; height: number };
+
+export type Triple = [number, number, number];
+
 export class CameraRig {
   camera: OrthographicCamera | PerspectiveCamera = new PerspectiveCamera();
   private controls: OrbitControls | null = null;
@@ -81,6 +88,29 @@ export class CameraRig {
       this.place(...fitPerspective(sample, center, backward, this.camera.up, this.aspect));
     }
     this.setDepthRange(radius);
+  }
+
+  /** `origin` is where the scene's origin is in the coordinates of the state. */
+  state(origin: Vector3): CameraState {
+    const from_world = (place: Vector3): Triple => place.clone().add(origin).toArray();
+    const target = from_world(this.controls?.target ?? new Vector3());
+    if (this.camera instanceof OrthographicCamera)
+      return { kind: "orthographic", target, height: (this.camera.top - this.camera.bottom) / this.camera.zoom };
+    return { kind: "perspective", position: from_world(this.camera.position), target };
+  }
+
+  setState(state: CameraState, origin: Vector3): void {
+    if ((state.kind === "orthographic") !== this.is_flat)
+      throw new Error(`it is a camera for graphs with ${state.kind === "orthographic" ? 2 : 3} dimensions`);
+    const target = new Vector3(...state.target).sub(origin);
+    if (state.kind === "orthographic") {
+      this.setHeight(state.height);
+      this.camera.zoom = 1;
+      this.place(target, new Vector3(0, 0, 1), this.distance);
+    } else {
+      const backward = new Vector3(...state.position).sub(origin).sub(target);
+      this.place(target, backward.clone().normalize(), backward.length());
+    }
   }
 
   /** Adapts the depth range to what is visible; `radius` is that of the graph. */

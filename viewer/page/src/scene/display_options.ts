@@ -1,30 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the user may choose about the picture.
+import type { EdgeGroup, Structure, VertexGroup } from "../protocol/messages";
 import type { PointLimits } from "./point_filter";
+import { isPoint } from "./statistics";
+
+/** With more points than this, each of them is small. */
+const MANY_POINTS = 5000;
+const SMALL_POINT = 2, LARGE_POINT = 5;
+const EDGE_OPACITY = 0.8;
+
+/** What the user chose for a type; what is absent has its default. */
+export interface TypeStyle {
+  shown?: boolean;
+  /** "#rrggbb" instead of the color of the theme. */
+  color?: string;
+  /** Points: their size in pixels. Other vertices: a factor on the size that the page chooses. Edges: their opacity. */
+  size?: number;
+}
 
 export interface DisplayOptions {
-  /** Factors on the sizes that the page chooses. */
-  pose_scale: number;
-  camera_scale: number;
-  /** In pixels. */
-  point_size: number;
-  edge_opacity: number;
+  /** By the names of types; see styleOf(). */
+  styles: Record<string, TypeStyle>;
+  /** "#rrggbb" instead of the color of the theme. */
+  background: string | null;
   poses_as_axes: boolean;
-  /** Indices of the groups in the structure. */
-  hidden_vertices: Set<number>;
-  hidden_edges: Set<number>;
   limits: PointLimits;
 }
 
 export function defaultOptions(): DisplayOptions {
   return {
-    pose_scale: 1,
-    camera_scale: 1,
-    point_size: 2,
-    edge_opacity: 0.8,
+    styles: {},
+    background: null,
     poses_as_axes: false,
-    hidden_vertices: new Set(),
-    hidden_edges: new Set(),
     limits: { least_track_length: 0, most_error: Infinity },
   };
+}
+
+/** Returns what the user chose for the type, which can be changed in place. */
+export function styleOf(options: DisplayOptions, group: VertexGroup | EdgeGroup): TypeStyle {
+  return (options.styles[`${"role" in group ? group.role : group.shape} ${group.name}`] ??= {});
+}
+
+export function defaultShown(structure: Structure, group: VertexGroup | EdgeGroup): boolean {
+  // The observations of a reconstruction would cover all else.
+  return !("role" in group && structure.is_bundle && group.role === "observation");
+}
+
+export function defaultSize(structure: Structure, group: VertexGroup | EdgeGroup): number {
+  if ("role" in group) return EDGE_OPACITY;
+  if (!isPoint(group)) return 1;
+  const points = structure.vertices.filter(isPoint).reduce((sum, { count }) => sum + count, 0);
+  return points > MANY_POINTS ? SMALL_POINT : LARGE_POINT;
 }

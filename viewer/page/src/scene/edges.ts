@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The edges of one type and role: one set of lines between the vertices.
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineSegments } from "three";
+import { BufferAttribute, BufferGeometry, type Color, DynamicDrawUsage, LineSegments } from "three";
 import type { EdgeGroup, EdgeRole, Structure } from "../protocol/messages";
-import type { Theme } from "../theme";
 import { lineMaterial } from "./materials";
 import { spreadOrder } from "./spread";
 import type { Vertices } from "./vertices";
@@ -57,14 +56,8 @@ export class Edges {
     this.object.material.uniforms["opacity"]!.value = opacity * this.fullOpacity();
   }
 
-  setTheme(theme: Theme): void {
-    const colors = {
-      odometry: theme.odometry,
-      "loop closure": theme.loop_closure,
-      observation: theme.observation,
-      other: theme.other,
-    };
-    this.object.material.uniforms["color"]!.value.copy(colors[this.group.role]);
+  setColor(color: Color): void {
+    this.object.material.uniforms["color"]!.value.copy(color);
   }
 
   dispose(): void {

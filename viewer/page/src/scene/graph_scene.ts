@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All objects of one structure. A frame changes where they are, options and theme change how they look.
-import { Group, Matrix3, Matrix4, Vector3 } from "three";
-import type { Frame, Structure, VertexGroup } from "../protocol/messages";
-import type { Theme } from "../theme";
+import { Color, Group, Matrix3, Matrix4, Vector3 } from "three";
+import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
+import { type Theme, typeColor } from "../theme";
 import type { Budget } from "./budget";
-import type { DisplayOptions } from "./display_options";
+import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
 import { Edges } from "./edges";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
@@ -60,28 +60,36 @@ export class GraphScene {
   }
 
   /** `spacing` is the typical distance between poses. */
-  applyOptions(options: DisplayOptions, spacing: number): void {
+  applyOptions(options: DisplayOptions, spacing: number, theme: Theme): void {
     if (options.poses_as_axes !== this.poses_as_axes) this.changeShapes(options.poses_as_axes);
+    const styleFor = (group: VertexGroup | EdgeGroup) => {
+      const { shown, size, color } = styleOf(options, group);
+      return {
+        shown: shown ?? defaultShown(this.structure, group),
+        size: size ?? defaultSize(this.structure, group),
+        color: color === undefined ? typeColor(theme, group) : new Color(color),
+      };
+    };
     this.structure.vertices.forEach((group, i) => {
       const part = this.groups[i]!;
-      part.object.visible = !options.hidden_vertices.has(i);
-      if (isPoint(group)) part.setSize(options.point_size);
-      else if (group.shape === "pose") part.setSize(POSE_SIZE * options.pose_scale * spacing);
-      else part.setSize(CAMERA_SIZE * options.camera_scale * spacing);
+      const { shown, size, color } = styleFor(group);
+      part.object.visible = shown;
+      part.setSize(isPoint(group) ? size : (group.shape === "pose" ? POSE_SIZE : CAMERA_SIZE) * size * spacing);
+      if (part instanceof Poses) part.setColors(color, theme.fixed);
+      else part.setColor(color);
     });
-    this.edges.forEach((edges, i) => {
-      edges.object.visible = !options.hidden_edges.has(i) && options.edge_opacity > 0;
-      edges.setOpacity(options.edge_opacity);
+    this.edges.forEach((edges) => {
+      const { shown, size, color } = styleFor(edges.group);
+      edges.object.visible = shown && size > 0;
+      edges.setOpacity(size);
+      edges.setColor(color);
     });
+    this.fixed.setColor(theme.fixed);
   }
 
-  setTheme(theme: Theme): void {
-    for (const group of this.groups) {
-      if (group instanceof Poses) group.setTheme(theme);
-      else group.setColor(theme.landmark);
-    }
-    for (const edges of this.edges) edges.setTheme(theme);
-    this.fixed.setColor(theme.fixed);
+  /** Where the origin of the scene is in the leveled world. */
+  get origin(): Vector3 {
+    return (this.center ?? new Vector3()).clone().applyMatrix3(this.rotation);
   }
 
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The poses or cameras of one type: one shape, drawn once per vertex in a single call.
 import {
-  DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, Mesh, type ShaderMaterial,
+  Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, Mesh, type ShaderMaterial,
 } from "three";
 import type { Frame, Structure, VertexGroup } from "../protocol/messages";
-import type { Theme } from "../theme";
 import { instanceMaterial } from "./materials";
 import { shapeGeometry, shapeIsLines, type ShapeName } from "./shapes";
 import { spreadOrder } from "./spread";
@@ -19,7 +18,8 @@ export class Poses {
   private readonly fixed: InstancedBufferAttribute;
   /** The order of the vertices in the attributes. */
   private readonly order: Uint32Array;
-  private theme: Theme | null = null;
+  private readonly color = new Color();
+  private readonly fixed_color = new Color();
 
   constructor(readonly group: VertexGroup, structure: Structure, private shape: ShapeName) {
     const { first, count } = group;
@@ -41,7 +41,7 @@ export class Poses {
     this.object = this.build();
     this.object.visible = replaced.visible;
     replaced.geometry.dispose();
-    this.applyTheme();
+    this.applyColors();
     return replaced;
   }
 
@@ -68,9 +68,10 @@ export class Poses {
     this.material.uniforms["size"]!.value = size;
   }
 
-  setTheme(theme: Theme): void {
-    this.theme = theme;
-    this.applyTheme();
+  setColors(color: Color, fixed_color: Color): void {
+    this.color.copy(color);
+    this.fixed_color.copy(fixed_color);
+    this.applyColors();
   }
 
   dispose(): void {
@@ -78,15 +79,12 @@ export class Poses {
     this.material.dispose();
   }
 
-  private applyTheme(): void {
-    if (!this.theme) return;
+  /** Axes have colors of their own. */
+  private applyColors(): void {
     const { color, fixed_color } = this.material.uniforms;
-    color!.value.copy(this.group.shape === "pose" ? this.theme.pose : this.theme.camera);
-    fixed_color!.value.copy(this.theme.fixed);
-    if (this.shape === "axes") {
-      color!.value.set(1, 1, 1);
-      fixed_color!.value.set(1, 1, 1);
-    }
+    const white = new Color(1, 1, 1);
+    color!.value.copy(this.shape === "axes" ? white : this.color);
+    fixed_color!.value.copy(this.shape === "axes" ? white : this.fixed_color);
   }
 
   private build(): Poses["object"] {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
-import { LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
+import { Color, LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
 import { type Frame, isSameKind, type Structure } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
-import { CameraRig } from "./camera_rig";
+import { CameraRig, type CameraState } from "./camera_rig";
 import { type DisplayOptions, defaultOptions } from "./display_options";
 import { GraphScene } from "./graph_scene";
 import { shared } from "./materials";
@@ -23,6 +23,8 @@ const REST_MS = 180;
 export class SceneView {
   /** Called after another graph, or its first frame, came. */
   on_structure: (graph: GraphScene) => void = () => {};
+  /** Called after a picture of another frame was drawn. */
+  on_frame: () => void = () => {};
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
@@ -61,7 +63,6 @@ export class SceneView {
       this.graph.dispose();
     }
     this.graph = new GraphScene(structure);
-    this.graph.setTheme(currentTheme());
     this.world.add(this.graph.root);
     this.frame = this.pending = null;
     this.spacing = 0;
@@ -85,8 +86,7 @@ export class SceneView {
     const same_filter = filters.least_track_length === least_track_length && filters.most_error === most_error;
     this.options = { ...options, limits: { ...options.limits } };
     if (!same_filter) this.graph?.applyFilter(this.options);
-    this.graph?.applyOptions(this.options, this.spacing);
-    this.requestPicture();
+    this.applyTheme();
   }
 
   /** chi2 of the newest frame in the picture. */
@@ -100,6 +100,31 @@ export class SceneView {
     this.fitted = null;
     this.followGraph();
     this.requestPicture();
+  }
+
+  /** Where the camera is in the leveled world; null if nothing is drawn. */
+  get camera(): CameraState | null {
+    return this.graph && this.frame ? this.rig.state(this.graph.origin) : null;
+  }
+
+  /** Throws an Error if the camera is one for other graphs. */
+  setCamera(state: CameraState): void {
+    if (!this.graph || !this.frame) throw new Error("there is no picture");
+    this.rig.setState(state, this.graph.origin);
+    this.moved();
+  }
+
+  /** Draws at once, and returns the picture as PNG. */
+  png(): Promise<Blob> {
+    this.draw(UNLIMITED);
+    return this.drawnPng();
+  }
+
+  /** The picture that was drawn last, as PNG. The browser keeps it only until the end of the current task. */
+  drawnPng(): Promise<Blob> {
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser made no image"))), "image/png");
+    });
   }
 
   /** Draws at once, and returns the bytes (RGBA) of the picture. */
@@ -125,12 +150,14 @@ export class SceneView {
     this.draw();
   }
 
-  private draw(): void {
+  private draw(budget = this.isMoving ? this.budget.current : UNLIMITED): void {
+    const is_new = this.pending !== null;
     if (this.pending) this.show(this.pending);
     this.setFading();
-    this.graph?.limit(this.isMoving ? this.budget.current : UNLIMITED);
+    this.graph?.limit(budget);
     this.renderer.render(this.world, this.rig.camera);
     if (this.frame) ++this.pictures;
+    if (is_new) this.on_frame();
   }
 
   private show(frame: Frame): void {
@@ -164,7 +191,7 @@ export class SceneView {
     // Small changes would only make the poses flicker.
     if (this.spacing > 0 && Math.abs(Math.log(spacing / this.spacing)) < Math.log(1.3)) return;
     this.spacing = spacing;
-    graph.applyOptions(this.options, spacing);
+    graph.applyOptions(this.options, spacing, currentTheme());
   }
 
   /** From above the horizon; behind the cameras if they look the same way. */
@@ -206,9 +233,10 @@ export class SceneView {
 
   private applyTheme(): void {
     const theme = currentTheme();
-    this.renderer.setClearColor(theme.background);
-    shared.background.value.copy(theme.background);
-    this.graph?.setTheme(theme);
+    const background = this.options.background === null ? theme.background : new Color(this.options.background);
+    this.renderer.setClearColor(background);
+    shared.background.value.copy(background);
+    this.graph?.applyOptions(this.options, this.spacing, theme);
     this.requestPicture();
   }
 }
