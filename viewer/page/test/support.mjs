@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the end-to-end tests share: they start `boxplus view` and look at its page with chromium.
 import { execFileSync, spawn } from "node:child_process";
-import { accessSync, constants, mkdtempSync, rmSync } from "node:fs";
+import { accessSync, constants, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { createInterface } from "node:readline";
@@ -67,6 +67,10 @@ export function simulatedFile(...args) {
   };
 }
 
+export function expectEqual(actual, expected) {
+  if (actual !== expected) fail(`expected "${expected}", found "${actual}"`);
+}
+
 export async function step(sentence, action) {
   try {
     await action();
@@ -106,6 +110,18 @@ export async function waitForPicture(page) {
 /** The text of the element with this id. */
 export function textOf(page, id) {
   return page.locator(`#${id}`).textContent();
+}
+
+export async function waitForText(page, id, part) {
+  await waitUntil(page, ([element, wanted]) => document.getElementById(element).textContent.includes(wanted), [id, part]);
+}
+
+/** Carries out the action, and returns the file that the page then offers. */
+export async function downloadFrom(page, action) {
+  const download = page.waitForEvent("download");
+  await action();
+  const file = await download;
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
 export async function waitForStatus(page, status) {

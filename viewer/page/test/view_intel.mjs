@@ -3,7 +3,7 @@
 //
 //     node test/view_intel.mjs PATH_TO_BOXPLUS DATA_FOLDER      exit code 77: something is missing, so the test is skipped
 import {
-  dataFile, fail, openPage, picture, runTest, step, textOf, waitForPicture, waitForStatus, waitUntil,
+  dataFile, expectEqual, fail, openPage, picture, runTest, step, textOf, waitForPicture, waitForStatus, waitUntil,
 } from "./support.mjs";
 
 const CHI2_INITIAL = "551.735731", CHI2_FINAL = "45.0046958";
@@ -95,10 +95,6 @@ function waitForNewestFrame(page) {
     const { model, view } = window.boxplus;
     return !model.isBusy && view.chi2 === model.state.chi2;
   });
-}
-
-function expectEqual(actual, expected) {
-  if (actual !== expected) fail(`expected "${expected}", found "${actual}"`);
 }
 
 function expectNoProblems(problems) {
