@@ -77,6 +77,6 @@ export class Files {
     const progress = this.sending || (state?.activity === "reading" ? "Reading the file…" : "");
     setText(byId("progress"), progress);
     byId("progress").hidden = progress === "";
-    byId("empty").hidden = state === null || state.file !== null || progress !== "" || !!state.error;
+    byId("empty").hidden = state === null || state.file !== null || progress !== "";
   }
 }

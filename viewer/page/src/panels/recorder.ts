@@ -36,7 +36,8 @@ export class Recorder {
   private take(image: Promise<Blob>): void {
     this.images.push(image);
     this.show();
-    void image.then((blob) => (this.bytes += blob.size));
+    // stop() tells the error of an image.
+    image.then((blob) => (this.bytes += blob.size), () => {});
     if (this.images.length >= MOST_IMAGES || this.bytes >= MOST_BYTES)
       void this.stop(`The recording stopped after ${counted(this.images.length, "image", "images")}, which is as much as fits.`);
   }
@@ -60,7 +61,7 @@ export class Recorder {
   }
 
   private show(): void {
-    this.button.setAttribute("aria-pressed", String(this.is_on));
+    this.button.dataset["on"] = String(this.is_on);
     setText(this.button, this.is_on ? `Stop recording (${this.images.length})` : "Record");
   }
 }

@@ -27,6 +27,7 @@ export class RunBar {
     enable("stop", connection.connected && isBusy);
     enable("reset", hasGraph && !isBusy);
     setText(byId("headline"), run?.headline ?? "");
+    byId("outcome").hidden = !run?.headline && !run?.summary;
     byId("show-report").hidden = !run?.summary;
     setText(byId("summary"), run?.summary ?? "");
   }
