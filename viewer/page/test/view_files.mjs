@@ -23,6 +23,7 @@ await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
     await optimize(page, "converged");
     await expectInReport(page, /method +dogleg/);
     expectEqual(await textOf(page, "tab-settings"), "Settings (1)");
+    if (await page.evaluate(() => document.documentElement.scrollHeight > innerHeight)) fail("the page is too high");
   });
 
   await step("settings survive a reload, and a reset forgets them", async () => {
