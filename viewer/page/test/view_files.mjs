@@ -11,6 +11,7 @@ import {
 const DATA = process.argv[3] ?? "";
 const RECONSTRUCTION = join(DATA, "bal/problem-49-7776-pre.txt");
 const POSE_GRAPH = join(DATA, "posegraph2d/csail.g2o");
+const CHI2_INITIAL = "551.735731";
 const MALFORMED = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 zero 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n";
 
 await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
@@ -51,20 +52,20 @@ await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
     await page.fill("#setting-kernel-width", "wide");
     await page.click("#optimize");
     await waitForText(page, "command-error", "expected a number > 0, got 'wide'");
-    problems.length = 0; // the console tells the status 400
     await page.click("#command-error button");
     await page.click("#reset-settings");
   });
 
   await step("an initial guess, chosen with the keyboard, changes the estimates", async () => {
+    await optimize(page, "converged"); // without the kernel
     await page.click("#reset");
+    await waitForText(page, "chi2", CHI2_INITIAL);
     await waitUntil(page, () => !document.querySelector("#guess").disabled);
-    const before = await textOf(page, "chi2");
     await page.focus("#guess");
     for (const key of ["Enter", "ArrowDown", "Home", "Enter"]) await page.keyboard.press(key);
     await waitUntil(page, (chi2) => {
       return document.querySelector("#chi2").textContent !== chi2 && !document.querySelector("#optimize").disabled;
-    }, before);
+    }, CHI2_INITIAL);
   });
 
   await step("the dialog opens another file", async () => {
@@ -117,7 +118,8 @@ await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
   });
 
   await step("no error and no request to another host", () => {
-    if (problems.length > 0) fail(problems.join("; "));
+    const others = problems.filter((problem) => !problem.includes("status of 400")); // the setting that was refused
+    if (others.length > 0) fail(others.join("; "));
   });
 });
 
