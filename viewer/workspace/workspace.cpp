@@ -238,13 +238,17 @@ void Workspace::replace(GraphFile file, const std::string& name) {
                                     structure_.left_out, Structure::kMostLines));
 }
 
+/// Sets the kernels that a run wants, and removes those of the last run.
+void Workspace::set_kernels(const RunSettings& settings) {
+  if (!has_kernels_ && settings.kernel.empty()) return;
+  const KernelFacts facts = robustify(file_->graph, settings);
+  has_kernels_ = facts.edges > 0;
+  if (!facts.name.empty()) add_line("info", fmt::format("{} kernel on {} edges", facts.name, facts.edges));
+}
+
 /// The rows of a run that is shown replace those of the last one.
 Report Workspace::run(const RunSettings& settings, bool is_shown) {
-  if (has_kernels_ || !settings.kernel.empty()) {
-    const KernelFacts facts = robustify(file_->graph, settings);
-    has_kernels_ = facts.edges > 0;
-    if (!facts.name.empty()) add_line("info", fmt::format("{} kernel on {} edges", facts.name, facts.edges));
-  }
+  set_kernels(settings);
   if (is_shown) {
     const std::lock_guard lock(mutex_);
     has_run_ = true;
@@ -285,6 +289,7 @@ void Workspace::make_guess(const RunSettings& settings) {
 }
 
 void Workspace::restore() {
+  set_kernels({});
   file_->graph.pop();
   file_->graph.push();
   const double chi2 = file_->graph.chi2();

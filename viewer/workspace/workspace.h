@@ -118,6 +118,7 @@ class Workspace {
   void carry_out(Job& job);
   void replace(GraphFile file, const std::string& name);
   void read(const Job& job);
+  void set_kernels(const RunSettings& settings);
   Report run(const RunSettings& settings, bool is_shown);
   void make_guess(const RunSettings& settings);
   void restore();

@@ -121,6 +121,11 @@ TEST(Workspace, RemovesKernelsThatTheNextRunDoesNotWant) {
   const double robust = settled(reader)["chi2"].get<double>();
   workspace.optimize({});
   EXPECT_GT(settled(reader)["chi2"].get<double>(), 2 * robust);
+  workspace.optimize(settings);
+  settled(reader);
+  workspace.reset();
+  const Json state = settled(reader);
+  EXPECT_EQ(state["chi2"], state["chi2_initial"]);
 }
 
 TEST(Workspace, ReportsAnErrorFunctionThatThrows) {
