@@ -43,10 +43,11 @@ bool is_above(double start, double chi2, std::size_t unknowns) {
 constexpr double kChi2Rounding = 1e-13;
 
 /// Whether the estimates fit noise-free data exactly. Then chi2 has only rounding errors, even if the model
-/// predicts a further decrease for the next step.
+/// predicts a further decrease for the next step. Runs that converge quadratically get one more step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
-  constexpr double kFallsFast = 0.25;
-  return record.chi2 <= kExact * static_cast<double>(unknowns) && record.chi2 >= kFallsFast * chi2_before;
+  constexpr double kFallsFast = 0.25, kTiny = 1e-10;
+  const double limit = kExact * static_cast<double>(unknowns);
+  return record.chi2 <= kTiny * limit || (record.chi2 <= limit && record.chi2 >= kFallsFast * chi2_before);
 }
 
 /// Whether both the decrease of chi2 and the predicted decrease are at most `fraction` times chi2.
@@ -123,6 +124,9 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
     system_.expect_no_trial();
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
+    const std::size_t unknowns = system_.gradient().size();
+    if (outcome == IterationOutcome::kNoStepFound && chi2 <= kExact * static_cast<double>(unknowns))
+      return {Report::Status::kConverged, Report::Reason::kNoFurtherDecrease, chi2, iteration};
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
     system_.describe_step(chi2, record);
     record.time_s = clock_.seconds();
@@ -132,7 +136,6 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     const double variance = std::min(before, chi2) / std::max(1.0, degrees_of_freedom_);
     const double step = system_.step_in_deviations() / std::sqrt(variance);
     const bool goes_on = call_back(record) && wanted(record);
-    const std::size_t unknowns = system_.gradient().size();
     if (const auto reason = convergence(options_, record, before, step, unknowns, cut_short))
       return {Report::Status::kConverged, *reason, chi2, iteration + 1};
     if (significance.is_lost(record))
