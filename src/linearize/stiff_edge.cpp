@@ -54,16 +54,20 @@ class RowWeights {
     const auto n = static_cast<std::size_t>(rows_.rows());
     find_root(pool.information(edge, rows_.rows()), n);
     weights_.clear();
-    for (std::size_t row = 0; row < n; ++row) add_row(row, n);
+    weighted_rows_ = 0;
+    for (std::size_t row = 0; row < n; ++row) {
+      add_row(row, n);
+      weighted_rows_ += root_[row * n + row] > 0;
+    }
     return weights_;
   }
 
-  /// Whether the last edge only fixes a vertex.
+  /// Whether the last edge only fixes a vertex, in all directions.
   bool is_anchor(double ratio) const {
     const auto unknowns =
         std::count_if(rows_.columns().begin(), rows_.columns().end(),
                       [](const EdgeRows::Column& column) { return column.block != BlockStructure::kAbsent; });
-    return weights_.size() == 1 && !weights_[0].span.exceeds(ratio) && rows_.rows() >= unknowns;
+    return weights_.size() == 1 && !weights_[0].span.exceeds(ratio) && weighted_rows_ >= unknowns;
   }
 
   /// The largest entry of Ω off the diagonal, as a fraction of the largest one on the diagonal.
@@ -121,6 +125,7 @@ class RowWeights {
   const LinearizeOptions& options_;
   EdgeRows rows_;
   std::vector<double> root_, products_;
+  std::ptrdiff_t weighted_rows_ = 0;        // the rows of √Ω that are not zero
   double diagonal_ = 0, off_diagonal_ = 0;  // the largest magnitudes in Ω
   std::vector<WeightsAtBlock> weights_;
 };
@@ -172,8 +177,12 @@ bool information_is_stiff(const Graph& graph, const Plan& plan) {
     const detail::EdgeShape shape = pool.shape(edge.slot);
     const detail::InformationView omega = pool.information(edge.slot, shape.rows);
     Span own;
-    for (int i = 0; i < shape.rows; ++i) own.add(omega(i, i));
-    const bool is_anchor = shape.arity == 1 && shape.rows >= shape.cols && !own.exceeds(kStiffRatio);
+    int weighted_rows = 0;
+    for (int i = 0; i < shape.rows; ++i) {
+      own.add(omega(i, i));
+      weighted_rows += omega(i, i) > 0;
+    }
+    const bool is_anchor = shape.arity == 1 && weighted_rows >= shape.cols && !own.exceeds(kStiffRatio);
     all.add_least_of(own);
     if (!is_anchor) all.most = std::max(all.most, own.most);
   });

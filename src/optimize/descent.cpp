@@ -65,7 +65,10 @@ std::optional<Report::Reason> convergence(const Options& options, const Iteratio
   if (cut_short) return std::nullopt;
   if (gains_less_than(kChi2Rounding, record)) return Report::Reason::kNoFurtherDecrease;
   if (step <= options.step_tolerance) return Report::Reason::kStepTolerance;
-  if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before)
+  // A step that is too long may happen to end at the same chi2, far from a minimum.
+  constexpr double kPossible = 1e-6;
+  if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before &&
+      record.predicted_decrease <= kPossible * chi2_before)
     return Report::Reason::kCostTolerance;
   return std::nullopt;
 }
@@ -91,7 +94,9 @@ RunResult Descent::run(double chi2) {
 RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, 0};
   RunResult result = iterate(wanted, chi2);
-  if (result.status != Report::Status::kConverged) return result;
+  const bool is_stationary =
+      result.status == Report::Status::kConverged || result.reason == Report::Reason::kNotPositiveDefinite;
+  if (!is_stationary) return result;
   const Displacement displacement = leave_flat_directions(system_, result.chi2);
   if (displacement.directions == 0) return result;
   displaced_directions_ += displacement.directions;

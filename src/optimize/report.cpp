@@ -176,8 +176,9 @@ void add_notes(Text& text, const Report& report) {
         report.regularized_steps);
   }
   if (report.precise_steps > 0) {
-    add(text, "  {:<16}an Ω is so large that {} step(s) were computed with 32 digits\n", "note",
-        report.precise_steps);
+    add(text,
+        "  {:<16}the weights (Ω, or Jacobians) differ so much that {} step(s) were computed with 32 digits\n",
+        "note", report.precise_steps);
   }
 }
 

@@ -15,6 +15,20 @@ double decrease_by(System& system, std::span<double> step, double fraction, doub
   return decrease;
 }
 
+/// Whether F falls along the step as the model predicts, for three fractions in a row. Then the step is only
+/// too long. Rounding errors hardly ever look so.
+bool falls_nearby(System& system, std::span<double> step, double predicted, double chi2) {
+  constexpr int kInARow = 3;
+  int found = 0;
+  for (double fraction = 0.5; fraction > 0x1p-11; fraction /= 2) {
+    const double slope = decrease_by(system, step, fraction, chi2) / (2 * fraction * predicted);
+    if (!std::isfinite(slope)) return true;
+    found = slope > 0.1 && slope < 2 ? found + 1 : 0;
+    if (found == kInARow) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_rough(System& system, std::span<double> step, double predicted, double chi2) {
@@ -29,7 +43,7 @@ bool is_rough(System& system, std::span<double> step, double predicted, double c
     if (!std::isfinite(slope) || is_predicted || is_constant) return false;
     previous = slope;
   }
-  return true;
+  return !falls_nearby(system, step, predicted, chi2);
 }
 
 }  // namespace boxplus

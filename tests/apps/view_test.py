@@ -178,6 +178,8 @@ class Commands(ViewCase):
                               ({"type": "optimize", "settings": {"iterations": "-1"}}, "iterations: expected a whole number"),
                               ({"type": "optimize", "settings": {"iterations": "10001"}}, "iterations: expected at most"),
                               ({"type": "step", "settings": {"algorithm": "magic"}}, "algorithm: expected one of"),
+                              ({"type": "step", "settings": {"lambda": "5"}}, "lambda: needs"),
+                              ({"type": "step", "settings": {"kernel-width": "1"}}, "kernel-width: needs"),
                               ({"type": "guess"}, "initial guess"), ({"type": "guess", "start": "current"}, "initial guess")):
             status, answer = viewer.command(token, **members)
             self.assertEqual(status, 400, members)
@@ -265,6 +267,20 @@ class Files(ViewCase):
         self.assertEqual(stream.state["file"]["name"], "01_town.g2o")
         self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
 
+    def test_that_arrive_in_part_leave_the_graph(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        text = "VERTEX_SE2 0 0 0 0\n"
+        with socket.create_connection(("127.0.0.1", viewer.port), timeout=20) as connection:
+            connection.sendall((f"POST /open?name=cut.g2o HTTP/1.1\r\nHost: 127.0.0.1:{viewer.port}\r\n"
+                                f"Content-Type: application/octet-stream\r\nX-Boxplus-Token: {stream.token}\r\n"
+                                f"Content-Length: {10 * len(text)}\r\n\r\n{text}").encode())
+            connection.shutdown(socket.SHUT_WR)
+            self.assertNotIn(b"200", connection.recv(4096).split(b"\r\n")[0])
+        self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
+        stream.read_until(lambda s: s.run and s.run["status"] != "running")
+        self.assertEqual(stream.state["file"]["name"], "01_town.g2o")
+
     def test_are_saved_with_the_estimates_that_are_shown(self):
         viewer = self.viewer()
         stream = viewer.stream()
@@ -334,6 +350,30 @@ class Attackers(ViewCase):
         for path in ("/../", "/../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", f"/{TOWN}"):
             self.assertEqual(viewer.request("GET", path)[0], 404, path)
 
+    def test_cannot_read_beyond_the_page(self):
+        viewer = self.viewer()
+        for wanted in ("bytes=0-400000", "bytes=200000-300000", "bytes=99999999999-99999999999", "bytes=-5"):
+            self.assertEqual(viewer.request("GET", "/", headers={"Range": wanted})[0], 416, wanted)
+
+    def test_cannot_hide_a_request_in_the_body_of_another(self):
+        viewer = self.viewer()
+        hidden = f"GET /stream HTTP/1.1\r\nHost: 127.0.0.1:{viewer.port}\r\n\r\n"
+        with socket.create_connection(("127.0.0.1", viewer.port), timeout=10) as connection:
+            connection.sendall(f"POST /x HTTP/1.1\r\nHost: evil.example\r\nContent-Length: {len(hidden)}\r\n\r\n".encode())
+            answer = b""
+            with contextlib.suppress(OSError):
+                answer = connection.recv(4096)
+                connection.sendall(hidden.encode())
+                while more := connection.recv(4096):
+                    answer += more
+        self.assertIn(b"403", answer.split(b"\r\n")[0])
+        self.assertNotIn(b'"token"', answer)
+
+    def test_cannot_open_streams_from_other_sites(self):
+        viewer = self.viewer()
+        for path, status in (("/stream", 403), ("/graph?format=g2o", 403), ("/", 200)):
+            self.assertEqual(viewer.request("GET", path, headers={"Sec-Fetch-Site": "cross-site"})[0], status, path)
+
     def test_cannot_send_giant_or_broken_requests(self):
         viewer = self.viewer()
         token = viewer.stream().token
@@ -353,6 +393,7 @@ class Attackers(ViewCase):
             for _ in range(200):
                 stack.enter_context(socket.create_connection(("127.0.0.1", viewer.port), timeout=10))
             stream.read_until(lambda s: s.read() == 0)  # a heartbeat: the stream lives
+            self.assertEqual(viewer.request("GET", "/")[0], 200)
         viewer.command(stream.token, type="step")
         stream.read_until(lambda s: s.run and s.run["status"] != "running")
         with contextlib.ExitStack() as stack:
@@ -374,7 +415,7 @@ class Arguments(CommandCase):
 class OtherAddresses(ViewCase):
     def test_need_the_token_for_everything(self):
         viewer = self.viewer(TOWN, "--host", "0.0.0.0")
-        token = re.fullmatch(r"http://0\.0\.0\.0:\d+/\?token=([0-9a-f]{32})", viewer.url).group(1)
+        token = re.fullmatch(r"http://[^/:]+:\d+/\?token=([0-9a-f]{32})", viewer.url).group(1)
         self.assertEqual(viewer.request("GET", "/")[0], 403)
         self.assertEqual(viewer.request("GET", "/stream")[0], 403)
         self.assertEqual(viewer.request("GET", f"/?token={token}")[0], 200)

@@ -181,6 +181,26 @@ TEST_P(StiffGraph, IsOptimizedAsIfTheWeightWereModerate) {
   }
 }
 
+TEST_P(StiffGraph, IsOptimizedIfAnEdgeToAFixedVertexMeasuresOnlyTheStiffDirection) {
+  for (const char* weight : {"1e8", "1e16", "1e18"}) {
+    GraphFile file = parse_graph(std::string("VERTEX_SE2 0 0 0 0\n"
+                                             "VERTEX_SE2 1 1 0.3 0.2\n"
+                                             "VERTEX_SE2 2 2 0.2 -0.1\n"
+                                             "FIX 0\n"
+                                             "EDGE_SE2 0 1 1 0.1 0 0 0 0 ") +
+                                     weight +
+                                     " 0 0\n"
+                                     "EDGE_SE2 1 2 1 0.1 0 1 0 0 1 0 1\n"
+                                     "EDGE_SE2 0 2 2.1 0.1 0.3 1 0 0 1 0 1\n",
+                                 "stiff.g2o");
+    Options options;
+    options.algorithm = GetParam();
+    const Report report = optimize(file.graph, options);
+    EXPECT_TRUE(report.converged()) << weight << report;
+    EXPECT_NEAR(report.chi2_final, 0.0398635333, 1e-9) << weight;
+  }
+}
+
 TEST_P(StiffGraph, IsNotConvergedIfItsOmegaIsRounded) {
   const auto optimized = [](double weight) {
     Graph graph;

@@ -2,6 +2,7 @@
 #include "viewer/scene/positions.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -25,7 +26,7 @@ Quaternion orientation(const detail::Frame& frame) {
 }  // namespace
 
 Positions read_positions(const Graph& graph, const Structure& structure) {
-  constexpr double kFarthest = 1e30;  // products of lengths must fit into a float
+  constexpr double kFarthest = 1e18;  // products of lengths must fit into a float
   constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
   Positions positions;
   positions.points.reserve(3 * std::size_t{structure.count});
@@ -35,14 +36,21 @@ Positions read_positions(const Graph& graph, const Structure& structure) {
     for (const std::uint32_t slot : group.slots) {
       detail::Frame frame;
       pool.get_frame(slot, frame);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const bool exists = axis < static_cast<std::size_t>(frame.dimension);
-        const double offset = exists ? frame.translation[axis] - structure.center[axis] : 0;
-        positions.points.push_back(std::abs(offset) < kFarthest ? static_cast<float>(offset) : kNowhere);
+      std::array<double, 3> offset{};
+      bool is_drawn = true;
+      for (std::size_t axis = 0; axis < static_cast<std::size_t>(frame.dimension); ++axis) {
+        offset[axis] = frame.translation[axis] - structure.center[axis];
+        is_drawn = is_drawn && std::abs(offset[axis]) < kFarthest;
       }
-      if (group.shape == Shape::kPoint) continue;
-      const Quaternion q = orientation(frame);
-      positions.orientations.insert(positions.orientations.end(), q.begin(), q.end());
+      if (group.shape != Shape::kPoint) {
+        Quaternion q = orientation(frame);
+        const bool is_finite = std::all_of(q.begin(), q.end(), [](float x) { return std::isfinite(x); });
+        if (!is_finite) q = {0, 0, 0, 1};
+        is_drawn = is_drawn && is_finite;
+        positions.orientations.insert(positions.orientations.end(), q.begin(), q.end());
+      }
+      for (const double each : offset)
+        positions.points.push_back(is_drawn ? static_cast<float>(each) : kNowhere);
     }
   }
   return positions;

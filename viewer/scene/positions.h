@@ -10,8 +10,8 @@
 namespace boxplus::viewer {
 
 struct Positions {
-  /// x, y, z of each drawn vertex relative to Structure::center, in meters. z is 0 in the plane. NaN if the
-  /// vertex is not finite, or too far away for a float.
+  /// x, y, z of each drawn vertex relative to Structure::center, in meters. z is 0 in the plane. All are NaN
+  /// if the vertex is not finite, or too far away for a float.
   std::vector<float> points;
   std::vector<float> orientations;  ///< x, y, z, w of the quaternion T_world_body of each pose and camera
 };

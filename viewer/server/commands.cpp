@@ -35,6 +35,13 @@ RunSettings settings_of(const Json& command) {
       throw InvalidArgument(fmt::format("{}: {}", name, error.what()));
     }
   }
+  for (const Setting& setting : setting_table()) {
+    if (setting.needed_setting.empty() || !found->contains(setting.name)) continue;
+    const std::string other = found->value(setting.needed_setting, "");
+    if (setting.needed_value.empty() ? other.empty() : other != setting.needed_value)
+      throw InvalidArgument(fmt::format("{}: needs the setting {} {}", setting.name, setting.needed_setting,
+                                        setting.needed_value));
+  }
   return settings;
 }
 
@@ -63,7 +70,7 @@ bool is_flat(std::string_view text) {
   int depth = 0;
   for (const char c : text) {
     if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
+    if ((c == ']' || c == '}') && depth > 0) --depth;
     if (depth > kDeepest) return false;
   }
   return true;

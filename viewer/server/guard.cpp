@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <sys/random.h>
+#include <unistd.h>
 
 #include <array>
 #include <utility>
@@ -35,6 +36,7 @@ bool Guard::knows_host(std::string_view host) const {
   for (const std::string_view name : {std::string_view(host_), std::string_view("127.0.0.1"),
                                       std::string_view("localhost"), std::string_view("[::1]")}) {
     if (host == fmt::format("{}:{}", name, port_)) return true;
+    if (port_ == "80" && host == name) return true;  // browsers leave out the usual port
   }
   return host == fmt::format("[{}]:{}", host_, port_);
 }
@@ -43,6 +45,8 @@ std::optional<Refusal> Guard::check(const RequestFacts& request) const {
   if (!knows_host(request.host)) return Refusal{403, "the request is for another host"};
   if (!request.origin.empty() && request.origin != fmt::format("http://{}", request.host))
     return Refusal{403, "the request comes from another site"};
+  const bool is_foreign = request.fetch_site == "cross-site" || request.fetch_site == "same-site";
+  if (is_foreign && request.path != "/") return Refusal{403, "the request comes from another site"};
   const bool has_token = is_same(request.header_token, token_) || is_same(request.query_token, token_);
   const bool is_icon = request.method == "GET" && request.path == "/favicon.ico";
   if (!is_loopback_ && !has_token && !is_icon)
@@ -56,6 +60,11 @@ std::optional<Refusal> Guard::check(const RequestFacts& request) const {
 }
 
 std::string Guard::url() const {
+  if (is_any_) {  // not an address to open; others reach the machine by its name
+    std::array<char, 256> name{};
+    if (gethostname(name.data(), name.size() - 1) == 0)
+      return fmt::format("http://{}:{}/?token={}", name.data(), port_, token_);
+  }
   const std::string host = host_.find(':') == std::string::npos ? host_ : "[" + host_ + "]";
   return is_loopback_ ? fmt::format("http://{}:{}/", host, port_)
                       : fmt::format("http://{}:{}/?token={}", host, port_, token_);

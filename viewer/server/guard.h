@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which requests the server accepts. Any web page that a user visits can send requests to 127.0.0.1, and so
-// can any user of the machine; the checks here keep them out.
+// Which requests the server accepts. Any web page that a user visits can send requests to 127.0.0.1; the
+// checks here keep such pages out. They do not keep out other users of the same machine, unless the server
+// listens at another address than the loopback.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,9 @@ namespace boxplus::viewer {
 
 /// The parts of a request that decide whether it is accepted. Absent headers are empty.
 struct RequestFacts {
-  std::string_view method = {}, path = {}, host = {}, origin = {}, content_type = {};
+  std::string_view method = {}, path = {}, host = {}, origin = {};
+  std::string_view fetch_site = {};  ///< Sec-Fetch-Site: who sends the request, as the browser says
+  std::string_view content_type = {};
   std::string_view header_token = {};  ///< the header X-Boxplus-Token
   std::string_view query_token = {};   ///< ?token=…
 };
@@ -31,7 +34,7 @@ class Guard {
   ///
   /// - Host must be the server's own, so that another name that resolves to this machine (DNS rebinding) does
   ///   not work. If the server listens at all addresses, any Host is accepted, because the token protects it.
-  /// - Origin, if present, must be the server's own.
+  /// - Origin, if present, must be the server's own. Other sites may only link to the page itself.
   /// - POST needs the token and JSON as its type (/open: bytes), which no form and no other origin can send.
   std::optional<Refusal> check(const RequestFacts& request) const;
 

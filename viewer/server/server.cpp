@@ -5,6 +5,7 @@
 #include <httplib.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -23,10 +24,15 @@ namespace {
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
 
-constexpr int kMostStreams = 16, kThreads = kMostStreams + 16;
+/// Clients that are slow, or only connect, hold threads; they are cheap, because they sleep.
+constexpr int kMostStreams = 16, kThreads = 256;
 constexpr std::size_t kLongestCommand = 64 * 1024, kLongestFile = std::size_t{1} << 30;
-/// A client that sends or takes nothing for so long loses its connection, so that it does not keep a thread.
-constexpr auto kPatience = 2s;
+/// A client that sends nothing for so long loses its connection, so that it does not keep a thread.
+constexpr auto kPatience = 5s;
+/// The same for a client that takes nothing. A page may need long to draw a large graph.
+constexpr auto kPatienceToWrite = 30s;
+/// Messages are written in pieces of this size, because httplib copies each piece.
+constexpr std::size_t kPiece = std::size_t{1} << 20;
 /// Between two groups of messages to a page; 30 frames per second.
 constexpr auto kPause = 33ms;
 
@@ -54,7 +60,9 @@ class PageStream {
     std::vector<Message> messages = reader_.wait(1s);
     if (messages.empty()) messages.push_back(make_message(MessageKind::kHeartbeat, {}));
     for (const Message& message : messages) {
-      if (!sink.write(message->data(), message->size())) return false;
+      for (std::size_t begin = 0; begin < message->size(); begin += kPiece) {
+        if (!sink.write(message->data() + begin, std::min(kPiece, message->size() - begin))) return false;
+      }
     }
     std::this_thread::sleep_for(kPause);
     return true;
@@ -64,6 +72,14 @@ class PageStream {
   Workspace::Reader reader_;
   std::atomic<int>& open_;
 };
+
+/// The name of a file as it is shown and as messages contain it.
+std::string clean_name(std::string name) {
+  constexpr std::size_t kLongest = 255;
+  std::erase_if(name, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+  if (name.size() > kLongest) name.resize(kLongest);
+  return name.empty() ? "file" : name;
+}
 
 void answer(httplib::Response& response, int status, const Json& json) {
   response.status = status;
@@ -79,8 +95,11 @@ class Server::Implementation {
     http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     http_.set_payload_max_length(kLongestFile);
     http_.set_read_timeout(kPatience);
-    http_.set_write_timeout(kPatience);
-    http_.set_keep_alive_timeout(kPatience.count());
+    http_.set_write_timeout(kPatienceToWrite);
+    // One request per connection: the body of a refused request is not read, and must not be taken for the
+    // next request.
+    http_.set_keep_alive_max_count(1);
+    http_.set_keep_alive_timeout(1);
     http_.set_tcp_nodelay(true);
     http_.set_default_headers({{"Cache-Control", "no-store"},
                                {"X-Content-Type-Options", "nosniff"},
@@ -104,10 +123,10 @@ class Server::Implementation {
       answer(response, 200, {{"ok", true}});
     });
     http_.Post("/open", [this](const auto& request, auto& response, const auto& content) {
+      workspace_.expect_idle();  // before a long body is read
       std::optional<std::string> body = read_body(request, response, content, kLongestFile);
       if (!body) return;
-      const std::string name = request.get_param_value("name");
-      workspace_.open(name.empty() ? "file" : name, std::move(*body));
+      workspace_.open(clean_name(request.get_param_value("name")), std::move(*body));
       answer(response, 200, {{"ok", true}});
     });
     thread_ = std::thread([this] { http_.listen_after_bind(); });
@@ -135,32 +154,41 @@ class Server::Implementation {
   }
 
   httplib::Server::HandlerResponse admit(const httplib::Request& request, httplib::Response& response) {
+    if (request.has_header("Range")) {  // httplib would not check it against the size of the page
+      answer(response, 416, {{"error", "parts are not served"}});
+      return httplib::Server::HandlerResponse::Handled;
+    }
     const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin"),
                       type = request.get_header_value("Content-Type"),
                       header_token = request.get_header_value("X-Boxplus-Token"),
-                      query_token = request.get_param_value("token");
+                      query_token = request.get_param_value("token"),
+                      site = request.get_header_value("Sec-Fetch-Site");
     const std::optional<Refusal> refusal =
-        guard_.check({request.method, request.path, host, origin, type, header_token, query_token});
+        guard_.check({request.method, request.path, host, origin, site, type, header_token, query_token});
     if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
     answer(response, refusal->status, {{"error", refusal->text}});
     return httplib::Server::HandlerResponse::Handled;
   }
 
-  /// Reads the body of a request. If it is longer than `longest`, answers with status 413 and returns
-  /// nothing.
+  /// Reads the body of a request. If it is longer than `longest`, or ends too early, answers with an error
+  /// and returns nothing.
   static std::optional<std::string> read_body(const httplib::Request& request, httplib::Response& response,
                                               const httplib::ContentReader& content, std::size_t longest) {
     std::string body;
-    bool fits = !request.is_multipart_form_data();
+    bool fits = !request.is_multipart_form_data(), is_complete = false;
     if (fits) {
-      content([&](const char* data, std::size_t size) {
+      is_complete = content([&](const char* data, std::size_t size) {
         fits = fits && size <= longest - body.size();
         if (fits) body.append(data, size);
         return fits;
       });
     }
-    if (fits) return body;
-    answer(response, 413, {{"error", "the request is too long"}});
+    if (fits && is_complete) return body;
+    if (fits) {
+      answer(response, 400, {{"error", "the request is not complete"}});
+    } else {
+      answer(response, 413, {{"error", "the request is too long"}});
+    }
     return std::nullopt;
   }
 
@@ -190,7 +218,9 @@ class Server::Implementation {
     // A content provider with a length is sent as it is, not compressed again.
     response.set_content_provider(page.size(), "text/html; charset=utf-8",
                                   [page](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-                                    return sink.write(page.data() + offset, length);
+                                    const std::string_view part =
+                                        page.substr(std::min(offset, page.size()), length);
+                                    return sink.write(part.data(), part.size());
                                   });
   }
 
@@ -201,9 +231,14 @@ class Server::Implementation {
       return;
     }
     auto stream = std::make_shared<PageStream>(workspace_, guard_.token(), streams_);
-    response.set_chunked_content_provider(
-        "application/octet-stream",
-        [stream](std::size_t, httplib::DataSink& sink) { return stream->send_next(sink); });
+    response.set_chunked_content_provider("application/octet-stream",
+                                          [stream](std::size_t, httplib::DataSink& sink) {
+                                            try {
+                                              return stream->send_next(sink);
+                                            } catch (...) {  // httplib would let it end the process
+                                              return false;
+                                            }
+                                          });
   }
 
   Workspace& workspace_;

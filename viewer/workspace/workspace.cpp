@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* kBusy = "the viewer is busy: wait until the run ends, or stop it";
 
 Json row_json(const IterationRecord& record) {
   return {{"iteration", record.iteration}, {"chi2", record.chi2},     {"chi2_decrease", record.chi2_decrease},
@@ -72,6 +75,11 @@ void Workspace::open(std::string name, std::string text) {
   request({.kind = Job::Kind::kOpen, .name = std::move(name), .text = std::move(text)});
 }
 
+void Workspace::expect_idle() const {
+  const std::lock_guard lock(mutex_);
+  if (is_busy_) throw Busy(kBusy);
+}
+
 void Workspace::stop() {
   stop_ = true;
 }
@@ -113,7 +121,7 @@ void Workspace::end() {
 /// Makes the caller, who holds mutex_, the only one that uses the graph, until release().
 void Workspace::claim(bool needs_graph) {
   if (ending_) throw InvalidArgument("the viewer is ending");
-  if (is_busy_) throw Busy("the viewer is busy: wait until the run ends, or stop it");
+  if (is_busy_) throw Busy(kBusy);
   if (needs_graph && !file_) throw InvalidArgument("there is no graph: open a file first");
   is_busy_ = true;
   ++version_;
@@ -159,9 +167,8 @@ void Workspace::work() {
     if (!failure.empty()) {
       add_line("error", failure);
       const std::lock_guard lock(mutex_);
-      if (job.kind == Job::Kind::kOpen) {
-        error_ = failure;
-      } else {
+      if (job.kind == Job::Kind::kOpen) error_ = failure;
+      if (job.kind == Job::Kind::kRun) {
         status_ = "failed";
         headline_ = failure;
       }
@@ -195,7 +202,9 @@ void Workspace::read(const Job& job) {
     Options options;
     options.start = Start::kChordal;
     options.max_iterations = 0;
+    options.stop = &stop_;
     std::ignore = boxplus::optimize(file.graph, options);
+    if (stop_) throw InvalidArgument(job.name + ": stopped, so the file was not opened");
   }
   replace(std::move(file), job.name);
 }
@@ -274,18 +283,18 @@ Report Workspace::run(const RunSettings& settings, bool is_shown) {
 
 void Workspace::make_guess(const RunSettings& settings) {
   const Report report = run(settings, false);
+  const double chi2 = final_chi2(report);
   {
     const std::lock_guard lock(mutex_);
-    chi2_ = report.chi2_final;
+    chi2_ = chi2;
   }
   if (report.start.used != settings.options.start) {
     add_line("warning", fmt::format("no initial guess {} was made: {}", to_string(settings.options.start),
                                     report.start.note.empty() ? report.message : report.start.note));
     return;
   }
-  add_line("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used),
-                               report.chi2_final));
-  make_frame(0, report.chi2_final, true);
+  add_line("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used), chi2));
+  make_frame(0, chi2, true);
 }
 
 void Workspace::restore() {
@@ -322,19 +331,25 @@ bool Workspace::note(const IterationRecord& record) {
   return true;
 }
 
+/// chi2 at the end of a run. The report has none if the run was stopped before it evaluated chi2.
+double Workspace::final_chi2(const Report& report) const {
+  return std::isfinite(report.chi2_final) ? report.chi2_final : file_->graph.chi2();
+}
+
 void Workspace::finish(const Report& report) {
   const std::string text = to_string(report);
+  const double chi2 = final_chi2(report);
   {
     const std::lock_guard lock(mutex_);
     rows_ = report.records;
-    chi2_ = report.chi2_final;
+    chi2_ = chi2;
     status_ = to_string(report.status);
     headline_ = text.substr(0, text.find('\n'));
     summary_ = text;
     ++run_number_;  // the kept rows replace those that the readers have
   }
   add_line(report.converged() ? "info" : "warning", fmt::format("{}; {}", headline_, report.message));
-  make_frame(report.iterations, report.chi2_final, true);
+  make_frame(report.iterations, chi2, true);
 }
 
 void Workspace::add_line(const char* level, std::string text) {

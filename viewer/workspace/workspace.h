@@ -58,6 +58,8 @@ class Workspace {
   /// Reads a file in any format that is no folder, and replaces the graph. If this fails, the graph stays,
   /// and the state has the message. Throws Busy while another command is carried out.
   void open(std::string name, std::string text);
+  /// Throws Busy while a command is carried out.
+  void expect_idle() const;
   /// Asks the run to stop. Its best estimates are kept.
   void stop();
 
@@ -123,6 +125,7 @@ class Workspace {
   void make_guess(const RunSettings& settings);
   void restore();
   bool note(const IterationRecord& record);
+  double final_chi2(const Report& report) const;
   void finish(const Report& report);
   void add_line(const char* level, std::string text);
   void make_frame(int iteration, double chi2, bool at_rest);

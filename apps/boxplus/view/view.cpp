@@ -8,10 +8,13 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "boxplus/base/error.h"
@@ -76,6 +79,15 @@ void open_browser(const std::string& url, const sigset_t& signals) {
   posix_spawn_file_actions_destroy(&files);
 }
 
+/// Ends the process if its threads have not ended after a while: a parser or a slow client may take long, and
+/// there is nothing to save.
+void end_soon() {
+  std::thread([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    std::_Exit(kSuccess);
+  }).detach();
+}
+
 std::string name_of(const std::string& path) {
   if (path == kStandardStream) return input_name(path);
   const std::filesystem::path file(path);
@@ -94,6 +106,7 @@ int view_file(const ViewArguments& arguments) {
   print_message("Ctrl-C ends the viewer; the file stays as it is");
   if (arguments.opens_browser) open_browser(server.url(), signals.before());
   signals.next();
+  end_soon();
   return kSuccess;
 }
 
@@ -114,6 +127,7 @@ void add_view(CLI::App& app, Action& action) {
       ->add_option("--host", arguments->server.host,
                    "The address at which the server listens. At any other address than 127.0.0.1, other "
                    "machines can reach it, and the URL contains a token that they need")
+      ->check(file_name())
       ->type_name("ADDRESS")
       ->capture_default_str();
   command->add_flag("--open", arguments->opens_browser, "Open the URL in the browser");
@@ -122,7 +136,7 @@ void add_view(CLI::App& app, Action& action) {
       "Prints the URL of the viewer, and serves it until Ctrl-C. The viewer never writes to FILE. Without\n"
       "FILE, open or drop a file on the page.\n"
       "\n"
-      "On another machine, forward the port: ssh -L 8743:127.0.0.1:8743 machine\n"
+      "On another machine: ssh -t -L 8743:127.0.0.1:8743 machine boxplus view graph.g2o --port 8743\n"
       "\n"
       "Example:\n"
       "  boxplus view graph.g2o --open");
