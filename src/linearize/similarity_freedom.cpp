@@ -334,10 +334,11 @@ SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> verti
   const Eigen::Index world = freedom.motions.count(), own = columns(freedom.motions) - world;
   MatrixXd candidates = MatrixXd::Zero(world + own, moves.cols() + own);
   candidates.topLeftCorner(world, moves.cols()) = moves;
-  candidates.bottomRightCorner(own, own).setIdentity();
+  if (own > 0) candidates.bottomRightCorner(own, own).setIdentity();
   const MatrixXd free = unresisted(vertices, edges, freedom.motions, candidates);
   freedom.basis = free.topRows(world);
-  freedom.own_basis = free.bottomRows(own);
+  freedom.own_basis = MatrixXd::Zero(own, free.cols());
+  if (freedom.own_basis.size() > 0) freedom.own_basis = free.bottomRows(own);
   freedom.own = own_;
   freedom.roles = &roles_;
   return freedom;
