@@ -42,7 +42,7 @@ struct SimilarityFreedom {
 
   double unit() const { return motions.unit(); }
   int directions() const { return static_cast<int>(basis.cols()); }
-  bool has_scale() const { return basis.bottomRows(1).norm() > 1e-6; }
+  bool has_scale() const { return basis.size() > 0 && basis.bottomRows(1).norm() > 1e-6; }
   /// Keeps only these combinations of the free motions, one per column.
   void keep(const Eigen::MatrixXd& combinations);
   /// The free motions in the tangent space of a vertex: tangent_dim × directions().
