@@ -18,9 +18,10 @@ double decrease_by(System& system, std::span<double> step, double fraction, doub
 /// Whether F falls along the step as the model predicts, for three fractions in a row. Then the step is only
 /// too long. Rounding errors hardly ever look so.
 bool falls_nearby(System& system, std::span<double> step, double predicted, double chi2) {
-  constexpr int kInARow = 3;
+  constexpr int kInARow = 3, kHalvings = 10;
   int found = 0;
-  for (double fraction = 0.5; fraction > 0x1p-11; fraction /= 2) {
+  for (int halvings = 1; halvings <= kHalvings; ++halvings) {
+    const double fraction = std::ldexp(1.0, -halvings);
     const double slope = decrease_by(system, step, fraction, chi2) / (2 * fraction * predicted);
     if (!std::isfinite(slope)) return true;
     found = slope > 0.1 && slope < 2 ? found + 1 : 0;

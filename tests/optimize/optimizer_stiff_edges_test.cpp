@@ -64,7 +64,7 @@ PoseGraph random_graph(unsigned seed) {
 /// many digits.
 class Reference {
  public:
-  Reference(const PoseGraph& problem, std::vector<SE2> poses) : problem_(problem) {
+  Reference(const PoseGraph& problem, const std::vector<SE2>& poses) : problem_(problem) {
     for (const SE2& pose : poses) {
       for (const double value : {pose.x(), pose.y(), pose.theta()}) x_.push_back(value);
     }

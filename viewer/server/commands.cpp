@@ -23,7 +23,9 @@ RunSettings settings_of(const Json& command) {
   const auto found = command.find("settings");
   if (found == command.end()) return settings;
   if (!found->is_object()) throw InvalidArgument("settings: expected an object");
-  for (const auto& [name, value] : found->items()) {
+  for (const auto& item : found->items()) {
+    const std::string& name = item.key();
+    const Json& value = item.value();
     const auto table = setting_table();
     const auto setting =
         std::find_if(table.begin(), table.end(), [&](const Setting& s) { return s.name == name; });

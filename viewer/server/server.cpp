@@ -109,7 +109,7 @@ class Server::Implementation {
     http_.set_pre_routing_handler(
         [this](const auto& request, auto& response) { return admit(request, response); });
     http_.set_exception_handler(
-        [](const auto&, auto& response, std::exception_ptr error) { fail(response, std::move(error)); });
+        [](const auto&, auto& response, const std::exception_ptr& error) { fail(response, error); });
     http_.Get("/", [](const auto&, auto& response) { send_page(response); });
     http_.Get("/favicon.ico", [](const auto&, auto& response) {
       response.set_content(std::string(icon_svg()), "image/svg+xml");
@@ -200,9 +200,9 @@ class Server::Implementation {
     response.set_content(workspace_.formatted(request.get_param_value("format")), "application/octet-stream");
   }
 
-  static void fail(httplib::Response& response, std::exception_ptr error) {
+  static void fail(httplib::Response& response, const std::exception_ptr& error) {
     try {
-      std::rethrow_exception(std::move(error));
+      std::rethrow_exception(error);
     } catch (const Busy& busy) {
       answer(response, 409, {{"error", busy.what()}});
     } catch (const InvalidArgument& refused) {

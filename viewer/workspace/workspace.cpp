@@ -409,12 +409,13 @@ std::string Workspace::Reader::state_json() const {
   state["activity"] = w.activity_;
   state["error"] = w.error_.empty() ? Json(nullptr) : Json(w.error_);
   state["file"] = nullptr;
-  if (w.facts_)
+  if (w.facts_) {
     state["file"] = {{"name", w.facts_->name},
                      {"format", w.facts_->format},
                      {"vertices", w.facts_->vertices},
                      {"edges", w.facts_->edges},
                      {"dimension", w.facts_->dimension}};
+  }
   state["chi2"] = w.chi2_;
   state["chi2_initial"] = w.chi2_initial_;
   state["can_step"] = !w.is_busy_ && w.facts_ && w.facts_->edges > 0;
