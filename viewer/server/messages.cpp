@@ -132,16 +132,18 @@ Message form_message(const Graph& graph) {
 
 Message structure_message(const Structure& structure, std::uint64_t number) {
   Json vertices = Json::array(), edges = Json::array();
-  for (const VertexGroup& group : structure.vertices)
+  for (const VertexGroup& group : structure.vertices) {
     vertices.push_back({{"name", group.name},
                         {"shape", name_of(group.shape)},
                         {"first", group.first},
                         {"count", group.slots.size()}});
-  for (const LineGroup& group : structure.line_groups)
+  }
+  for (const LineGroup& group : structure.line_groups) {
     edges.push_back({{"name", group.name},
                      {"role", name_of(group.role, 1)},
                      {"first", group.first},
                      {"count", group.count}});
+  }
   ArrayMessage message({{"structure", number},
                         {"dimension", structure.dimension},
                         {"is_bundle", structure.is_bundle},
