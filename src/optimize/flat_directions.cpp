@@ -25,8 +25,8 @@ bool has_flat_scalar(std::span<const double> diagonal) {
 
 /// A step along all scalars whose Jacobians are zero. Its length differs between vertices, so that two
 /// vertices at the same place move apart. It differs between the scalars of a vertex, so that a vertex does
-/// not move along a diagonal, where a direction that is held because its pivot vanished could be the wrong
-/// one.
+/// not move along a diagonal: a direction that is held because its pivot vanished could otherwise be the
+/// wrong one.
 Displacement fill_step(const BatchSystem& system, std::vector<double>& step) {
   constexpr double kLength = 1e-2, kGoldenRatio = 0.6180339887498949, kShrink = 0.25;
   const std::span<const double> diagonal = system.diagonal();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the vertices of a graph are.
+// The positions, orientations and errors of the vertices of a graph.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What there is to draw of a graph: the types of its vertices and edges, and the vertices of each edge.
+// The structure of the picture of a graph: the types of its vertices and edges, and the vertices of each
+// edge.
 #pragma once
 
 #include <array>

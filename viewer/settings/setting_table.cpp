@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,16 +18,10 @@
 #include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "viewer/scene/edge_roles.h"
+#include "viewer/settings/parse_number.h"
 
 namespace boxplus::viewer {
 namespace {
-
-template <class T>
-bool parse(const std::string& text, T& value) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end;
-}
 
 // ---- Numbers ----
 
@@ -39,7 +32,7 @@ void make_whole_number(Setting& setting, int low, Access access) {
   setting.set = [low, access](RunSettings& settings, const std::string& text) {
     constexpr int kMost = std::numeric_limits<int>::max();
     long value = 0;
-    const bool is_number = parse(text, value);
+    const bool is_number = parse_number(text, value);
     if (is_number && value > kMost)
       throw InvalidArgument(fmt::format("expected a whole number ≤ {}, got '{}'", kMost, text));
     if (!is_number || value < low)
@@ -55,7 +48,7 @@ void make_number(Setting& setting, bool excludes_zero, Access access) {
   if (setting.unit.empty()) setting.unit = "X";
   setting.set = [excludes_zero, access](RunSettings& settings, const std::string& text) {
     double value = 0;
-    const bool is_number = parse(text, value) && std::isfinite(value);
+    const bool is_number = parse_number(text, value) && std::isfinite(value);
     if (!is_number || value < 0 || (excludes_zero && value == 0))
       throw InvalidArgument(fmt::format("expected a number {} 0, got '{}'", excludes_zero ? ">" : "≥", text));
     access(settings) = value;

@@ -133,7 +133,7 @@ struct [[nodiscard]] Report {
   LinearStatistics linear;
   int regularized_steps = 0;  ///< number of steps for which H had to be damped to be positive definite
   /// The number of scalars that were displaced by about 0.01, because all their Jacobians were zero although
-  /// chi2 was not at a minimum: for example, where a Range connects positions that coincide, or where a
+  /// chi2 was not at a minimum: for example, if a Range connects positions that coincide, or if a
   /// rotation differs from its measurement by 180°.
   int displaced_directions = 0;
   /// The number of steps that were computed with 32 digits. Such steps are slow. They are needed if an Ω is,

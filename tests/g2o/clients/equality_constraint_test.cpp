@@ -50,7 +50,7 @@ class PriorEdge : public g2o::BaseUnaryEdge<2, Eigen::Vector2d, PointVertex> {
   bool write(std::ostream& os) const override { return os.good(); }
 };
 
-/// The equation aᵀp = c, where a and c are the measurement. With the error (aᵀp − c, λ) and this information,
+/// The equation aᵀp = c, whose measurement is (a, c). With the error (aᵀp − c, λ) and this information,
 /// the gradient is that of the Lagrangian λ (aᵀp − c).
 class EquationEdge : public g2o::BaseBinaryEdge<2, Eigen::Vector3d, PointVertex, MultiplierVertex> {
  public:

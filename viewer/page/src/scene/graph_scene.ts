@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All objects of one structure. A frame changes where they are, options and theme change how they look.
+// All objects of one structure. Frames change their positions; options and theme change their looks.
 import { Color, Group, Matrix3, Matrix4, Vector3 } from "three";
 import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
 import { type Theme, typeColor } from "../theme";

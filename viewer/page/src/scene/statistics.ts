@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the graph is, how large it is, and how far its vertices are apart. All of it ignores far outliers.
+// The center and the size of the graph, and the distances between its vertices. All of them ignore far outliers.
 import { Box3, type Matrix3, Quaternion, Vector3 } from "three";
 import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 
