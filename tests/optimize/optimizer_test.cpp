@@ -146,8 +146,9 @@ class SteepestDescent final : public Algorithm {
   explicit SteepestDescent(double length) : length_(length) {}
   std::string_view name() const override { return "steepest descent"; }
   void reset(const Options&, std::size_t scalars) override { step_.assign(scalars, 0); }
-  IterationOutcome iterate(System& system, double /*chi2*/, IterationRecord& /*record*/) override {
+  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
     if (!system.linearize()) return IterationOutcome::kNotFinite;
+    record.predicted_decrease = chi2;  // of the best step
     for (std::size_t k = 0; k < step_.size(); ++k) {
       step_[k] = -length_ * system.gradient()[k];
     }
@@ -170,6 +171,16 @@ TEST(Optimizer, RunsACustomAlgorithm) {
   EXPECT_TRUE(report.converged()) << report;
   EXPECT_EQ(report.algorithm, "steepest descent");
   EXPECT_LT(graph.estimate(x).norm(), 1e-12);
+}
+
+TEST(Optimizer, IsNotConvergedIfAStepThatIsTooLongEndsAtTheSameChi2) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector2(5, -2));
+  graph.add_edge([](const auto& p) { return p; }, x);
+  SteepestDescent algorithm(2);  // reflects x at the minimum
+  const Report report = Optimizer(graph).run(algorithm);
+  EXPECT_EQ(report.reason, Report::Reason::kMaxIterations) << report;
+  EXPECT_EQ(report.chi2_final, 29);
 }
 
 TEST(Optimizer, DescribesTheStepsOfACustomAlgorithmByItself) {
