@@ -72,7 +72,7 @@ TEST(Optimizer, ThatWasMovedFromRefusesEveryCall) {
   Report report;
   const auto algorithm = make_algorithm(AlgorithmKind::kGaussNewton);
   const std::vector<std::function<void()>> calls{
-      [&] { (void)first.run(); },
+      [&] { (void)first.run(); },  // NOLINT(bugprone-use-after-move): what this test is about
       [&] { first.run(report); },
       [&] { (void)first.run(*algorithm); },
       [&] { first.run(*algorithm, report); },
