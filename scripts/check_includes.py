@@ -30,10 +30,12 @@ ALLOWED = {
     "io": "base manifold autodiff robust graph optimize types",
     "action": "base manifold autodiff robust graph linear linearize optimize types io",
     "plugin": "base manifold autodiff robust graph linear linearize optimize types io action",
+    # A library of its own.
+    "viewer": "base manifold autodiff robust graph linear linearize optimize types io",
     # Checkers and simulators with which users test their own types.
     "testing": "base manifold autodiff robust graph linear linearize optimize types",
 }
-LIBRARY = set(ALLOWED) - {"testing"}
+LIBRARY = set(ALLOWED) - {"testing", "viewer"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
 # Programs may include all folders. Examples, which users copy, and fuzz targets must not include private

@@ -110,6 +110,16 @@ GraphFileView view_of(const GraphFile& file) {
   return {file.graph, file.edges, file.kept, file.model.get()};
 }
 
+std::string format_as_text(const GraphFileView& file, std::string_view read_as, const WriteOptions& options) {
+  const FileFormat& format = format_to_write({}, read_as, options);
+  if (format.is_folder())
+    throw InvalidArgument("cannot write " + format.label() +
+                          " as one text; expected the name of a folder, or of a file in another format");
+  std::string text;
+  format.write(file, options, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
 }  // namespace
 
 GraphFile read_graph(const std::string& path, const ReadOptions& options) {
@@ -141,13 +151,11 @@ void require_writable(const std::string& path, const GraphFile& file, const Writ
 }
 
 std::string format_graph(const GraphFile& file, const WriteOptions& options) {
-  const FileFormat& format = format_to_write({}, file.format, options);
-  if (format.is_folder())
-    throw InvalidArgument("cannot write " + format.label() +
-                          " as one text; expected the name of a folder, or of a file in another format");
-  std::string text;
-  format.write(view_of(file), options, [&](std::string_view piece) { text += piece; });
-  return text;
+  return format_as_text(view_of(file), file.format, options);
+}
+
+std::string format_graph(const Graph& graph, const WriteOptions& options) {
+  return format_as_text({graph}, {}, options);
 }
 
 }  // namespace boxplus

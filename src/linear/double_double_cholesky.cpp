@@ -80,6 +80,11 @@ void DoubleDoubleCholesky::count_columns(const StopToken& stop) {
       }
     }
   }
+  multiplications_ = 0;
+  for (std::uint32_t column = 0; column < n; ++column) {
+    const auto count = static_cast<double>(column_start_[column + 1]);
+    multiplications_ += count * (count + 1) / 2;
+  }
   std::partial_sum(column_start_.begin(), column_start_.end(), column_start_.begin());
   column_end_.resize(n);
   rows_.resize(column_start_.back());

@@ -321,10 +321,18 @@ StepResult BatchSystem::solve_without_gauge(const StepDamping& damping, std::spa
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   StepResult result = {LinearStatus::kNotPositiveDefinite};
   if (!is_precise_) result = factorize_and_solve(damping, step);
-  if (result.status == LinearStatus::kNotPositiveDefinite && (is_precise_ || is_stiff()))
+  const bool is_lost = result.status == LinearStatus::kNotPositiveDefinite;
+  if (is_precise_ || (is_lost && affordable_precise_steps() > 0 && is_stiff()))
     result = solve_precisely(damping, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
   return result;
+}
+
+int BatchSystem::affordable_precise_steps() {
+  constexpr double kMostMultiplications = 1e8;
+  const double each = precise_.multiplications(*plan_, control_.stop);
+  const double steps = std::floor(kMostMultiplications / std::max(each, 1.0)) - precise_steps_;
+  return static_cast<int>(std::clamp(steps, 0.0, 1e9));
 }
 
 bool BatchSystem::is_stiff() {

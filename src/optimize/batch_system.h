@@ -52,10 +52,14 @@ class BatchSystem final : public System {
   bool stopped() const override { return stopped_; }
 
   /// If the factor in double loses a pivot, and some edge is stiff (linearize/stiff_edge.h), solve() computes
-  /// the step in double-double. After set_precise(true), it does so in every case.
+  /// the step in double-double, as long as such steps are affordable. After set_precise(true), it does so in
+  /// every case.
   void set_precise(bool precise) { is_precise_ = precise; }
   /// The number of steps that were computed in double-double since configure().
   int precise_steps() const { return precise_steps_; }
+  /// The number of further steps in double-double that take about two seconds together with those since
+  /// configure(). 0 if a single one takes longer. Analyzes the structure if this has not been done before.
+  int affordable_precise_steps();
   /// Whether solve() damps H because of the gauge, even if λ = 0.
   bool damps_gauge() const { return gauge_fraction() > 0; }
   /// Throws InvalidArgument if an algorithm ended without accept() or reject() after its last try_step().

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/finish_stiff.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -42,7 +43,8 @@ class Finish {
     RunResult best = result;
     double possible = possible_decrease(best.chi2);
     const bool cannot_judge = !is_precise_ && std::isinf(possible);
-    if (possible > kWorthSteps && !cannot_judge && descent_.may_go_on()) {
+    const bool is_affordable = !is_precise_ || system_.affordable_precise_steps() > 0;
+    if (possible > kWorthSteps && !cannot_judge && is_affordable && descent_.may_go_on()) {
       best = after_gauss_newton(best);
       possible = possible_decrease(best.chi2);
     }
@@ -68,16 +70,17 @@ class Finish {
     return decrease <= kExact * static_cast<double>(step.size()) ? 0 : decrease / chi2;
   }
 
-  /// Takes Gauss-Newton steps, with half of the remaining iterations. In the curved valley of a stiff row,
-  /// such a step first raises chi2, so that algorithms that compare chi2 make little progress. If chi2 is
-  /// higher in the end, restores the estimates.
+  /// Takes Gauss-Newton steps, with half of the remaining iterations, but no more than are affordable. In the
+  /// curved valley of a stiff row, such a step first raises chi2, so that algorithms that compare chi2 make
+  /// little progress. If chi2 is higher in the end, restores the estimates.
   RunResult after_gauss_newton(const RunResult& before) {
     const Plan& plan = system_.plan();
     const std::size_t records = descent_.records().size();
     memory_.take(descent_.graph(), plan);
     GaussNewton gauss_newton;
     descent_.use(gauss_newton);
-    descent_.leave(descent_.iterations_left() / 2);
+    const int left = descent_.iterations_left(), half = (left + 1) / 2;
+    descent_.leave(left - (is_precise_ ? std::min(half, system_.affordable_precise_steps()) : half));
     const RunResult after = descent_.run(before.chi2);
     descent_.leave(0);
     if (after.chi2 <= before.chi2) return after;

@@ -2,21 +2,30 @@
 #include "optimize/precise_solver.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace boxplus {
 
-void PreciseSolver::prepare(const Graph& graph, const Plan& plan, const LinearizeOptions& options,
-                            const StopToken& stop) {
+void PreciseSolver::analyze(const Plan& plan, const StopToken& stop) {
   if (!analyzed_) cholesky_.analyze(plan.structure, plan.loose_blocks, stop);
   analyzed_ = true;
-  if (!linearized_) linearize_in_double_double(graph, plan, options, stop, system_);
-  linearized_ = true;
+}
+
+double PreciseSolver::multiplications(const Plan& plan, const StopToken& stop) {
+  try {
+    analyze(plan, stop);
+    return cholesky_.multiplications();
+  } catch (const Stopped&) {
+    return std::numeric_limits<double>::infinity();
+  }
 }
 
 FactorResult PreciseSolver::solve(const Graph& graph, const Plan& plan, const LinearizeOptions& options,
                                   const Damping& damping, const StopToken& stop, std::span<double> step) {
   try {
-    prepare(graph, plan, options, stop);
+    analyze(plan, stop);
+    if (!linearized_) linearize_in_double_double(graph, plan, options, stop, system_);
+    linearized_ = true;
   } catch (const Stopped&) {
     return {LinearStatus::kStopped};
   }

@@ -13,6 +13,8 @@ namespace boxplus {
 
 class PreciseSolver {
  public:
+  /// The number of multiplications with 32 digits in one solve(). Infinite if `stop` is raised.
+  double multiplications(const Plan& plan, const StopToken& stop);
   /// Solves (H + λD) step = −g for H and g at the estimates of the last forget().
   FactorResult solve(const Graph& graph, const Plan& plan, const LinearizeOptions& options,
                      const Damping& damping, const StopToken& stop, std::span<double> step);
@@ -22,7 +24,7 @@ class PreciseSolver {
   void forget_plan() { analyzed_ = linearized_ = false; }
 
  private:
-  void prepare(const Graph& graph, const Plan& plan, const LinearizeOptions& options, const StopToken& stop);
+  void analyze(const Plan& plan, const StopToken& stop);
 
   bool analyzed_ = false, linearized_ = false;
   DoubleDoubleSystem system_;

@@ -118,6 +118,39 @@ class ViewCase(CommandCase):
         self.assertEqual(run("simulate", "manhattan", "--poses", 20000, "-o", graph).returncode, 0)
         return self.viewer(graph)
 
+class OptimizeView(CommandCase):
+    """`boxplus optimize --view`."""
+
+    def start(self, *options):
+        process = subprocess.Popen([BOXPLUS, "optimize", str(TOWN), "--view", *options], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: process.poll() is None and process.kill())
+        viewer = Viewer.__new__(Viewer)
+        viewer.process, viewer.streams = process, []
+        viewer.url = re.search(r"http://\S+", process.stderr.readline()).group()
+        viewer.port = int(re.search(r":(\d+)/", viewer.url).group(1))
+        return viewer
+
+    def test_shows_the_run_and_writes_the_file_before_it_serves(self):
+        output = self.path / "out.g2o"
+        viewer = self.start("-o", output)
+        stream = viewer.stream().read_until(lambda s: not s.state["busy"])
+        self.assertEqual(stream.run["status"], "converged")
+        self.assertEqual(len(stream.rows), stream.rows[-1]["iteration"])
+        self.assertTrue(output.exists())
+        self.assertEqual(viewer.end(), 0)
+
+    def test_lets_the_page_go_on_with_the_graph(self):
+        viewer = self.start("--iterations", "1")
+        stream = viewer.stream().read_until(lambda s: not s.state["busy"])
+        self.assertEqual(viewer.command(stream.token, type="optimize")[0], 200)
+        stream.read_until(lambda s: s.run and s.run["status"] == "converged")
+        self.assertEqual(viewer.save(stream.token, "g2o")[0], 200)
+        self.assertEqual(viewer.end(), 1)  # the run of the command was stopped by its limit
+
+    def test_options_of_the_server_need_it(self):
+        self.assertEqual(run("optimize", TOWN, "--port", "0").returncode, 2)
+
 class Page(ViewCase):
     def test_is_served_at_the_url_that_is_printed(self):
         viewer = self.viewer()

@@ -17,6 +17,7 @@ fi
 "$cmake" -S "$consumer" -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved" -DCMAKE_CXX_COMPILER="$compiler"
 "$cmake" --build "$work/build"
 "$work/build/consumer"
+if [[ -x "$work/moved/bin/boxplus" ]]; then "$work/build/viewer_consumer"; fi
 
 # The installed programs start, although their folder was moved.
 for program in "$work"/moved/bin/*; do

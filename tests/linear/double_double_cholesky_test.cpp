@@ -70,6 +70,15 @@ TEST(DoubleDoubleCholesky, KeepsRowsOfWeightOneBesideARowOfWeight1e18) {
   EXPECT_NEAR(static_cast<double>(x[1]), 2, 1e-12);
 }
 
+TEST(DoubleDoubleCholesky, CountsItsMultiplications) {
+  DoubleDoubleCholesky cholesky;
+  cholesky.analyze(make_block_structure({2, 1, 1}, {{1, 0}, {2, 0}, {2, 1}}), {}, {});
+  EXPECT_EQ(cholesky.multiplications(),
+            6 + 3 + 1);  // the columns have 3, 2, 1 and 0 entries below the diagonal
+  cholesky.analyze(make_block_structure({1, 1, 1}, {{2, 0}, {2, 1}}), {}, {});
+  EXPECT_EQ(cholesky.multiplications(), 1 + 1);
+}
+
 TEST(DoubleDoubleCholesky, NamesThePivotThatIsLost) {
   for (const double shift : {0.0, -1.0, 1e-30}) {
     TestSystem system({1, 1, 1, 1}, chain_edges(4));

@@ -3,48 +3,36 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "boxplus/base/error.h"
-#include "viewer/settings/setting_table.h"
+#include "viewer/settings/run_settings.h"
 
 namespace boxplus::viewer {
 namespace {
 
 using Json = nlohmann::json;
 
-/// Reads the settings of a command. Throws InvalidArgument if one is unknown or has another value than the
-/// table accepts.
-RunSettings settings_of(const Json& command) {
-  RunSettings settings;
+/// Reads the settings of a command, whose values are texts.
+Settings settings_of(const Json& command) {
+  Settings settings;
   const auto found = command.find("settings");
   if (found == command.end()) return settings;
   if (!found->is_object()) throw InvalidArgument("settings: expected an object");
   for (const auto& item : found->items()) {
-    const std::string& name = item.key();
-    const Json& value = item.value();
-    const auto table = setting_table();
-    const auto setting =
-        std::find_if(table.begin(), table.end(), [&](const Setting& s) { return s.name == name; });
-    if (setting == table.end()) throw InvalidArgument(fmt::format("settings: '{}' is unknown", name));
-    if (!value.is_string()) throw InvalidArgument(fmt::format("{}: expected a text", name));
-    try {
-      setting->set(settings, value.get_ref<const std::string&>());
-    } catch (const InvalidArgument& error) {
-      throw InvalidArgument(fmt::format("{}: {}", name, error.what()));
-    }
-  }
-  for (const Setting& setting : setting_table()) {
-    if (setting.needed_setting.empty() || !found->contains(setting.name)) continue;
-    const std::string other = found->value(setting.needed_setting, "");
-    if (setting.needed_value.empty() ? other.empty() : other != setting.needed_value)
-      throw InvalidArgument(fmt::format("{}: needs the setting {} {}", setting.name, setting.needed_setting,
-                                        setting.needed_value));
+    if (!item.value().is_string()) throw InvalidArgument(fmt::format("{}: expected a text", item.key()));
+    settings.emplace(item.key(), item.value().get<std::string>());
   }
   return settings;
+}
+
+std::string start_of(const Json& command) {
+  const auto start = command.find("start");
+  if (start == command.end() || !start->is_string())
+    throw InvalidArgument("expected the name of an initial guess");
+  return start->get<std::string>();
 }
 
 struct Command {
@@ -56,12 +44,7 @@ constexpr std::array kCommands{
     Command{"optimize",
             [](Workspace& workspace, const Json& command) { workspace.optimize(settings_of(command)); }},
     Command{"step", [](Workspace& workspace, const Json& command) { workspace.step(settings_of(command)); }},
-    Command{"guess",
-            [](Workspace& workspace, const Json& command) {
-              const auto start = command.find("start");
-              if (start == command.end()) throw InvalidArgument("expected the name of an initial guess");
-              workspace.guess(settings_of({{"settings", {{"start", *start}}}}));
-            }},
+    Command{"guess", [](Workspace& workspace, const Json& command) { workspace.guess(start_of(command)); }},
     Command{"reset", [](Workspace& workspace, const Json&) { workspace.reset(); }},
     Command{"stop", [](Workspace& workspace, const Json&) { workspace.stop(); }},
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,9 @@
 #include "boxplus/optimize/options.h"
 
 namespace boxplus::viewer {
+
+/// Settings by name, with their values as texts, as a page sends them. Absent ones have their defaults.
+using Settings = std::map<std::string, std::string, std::less<>>;
 
 enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
 

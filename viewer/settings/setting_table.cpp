@@ -306,4 +306,31 @@ std::string why_unsuitable(const Graph& graph, const Setting& setting, std::stri
   return {};
 }
 
+RunSettings run_settings(const Settings& values) {
+  RunSettings settings;
+  for (const auto& [name, value] : values) {
+    const std::span<const Setting> table = setting_table();
+    const auto setting = std::find_if(table.begin(), table.end(),
+                                      [&key = name](const Setting& each) { return each.name == key; });
+    if (setting == table.end()) throw InvalidArgument(fmt::format("settings: '{}' is unknown", name));
+    try {
+      setting->set(settings, value);
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument(fmt::format("{}: {}", name, error.what()));
+    }
+  }
+  for (const Setting& setting : setting_table()) {
+    if (setting.needed_setting.empty() || values.count(setting.name) == 0) continue;
+    const auto needed = values.find(setting.needed_setting);
+    const std::string other = needed == values.end() ? "" : needed->second;
+    if (setting.needed_value.empty() ? other.empty() : other != setting.needed_value)
+      throw InvalidArgument(fmt::format("{}: needs the setting {} {}", setting.name, setting.needed_setting,
+                                        setting.needed_value));
+  }
+  if (settings.options.max_iterations > kMostIterations)
+    throw InvalidArgument(fmt::format("iterations: expected at most {}, got {}", kMostIterations,
+                                      settings.options.max_iterations));
+  return settings;
+}
+
 }  // namespace boxplus::viewer

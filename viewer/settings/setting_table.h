@@ -34,6 +34,13 @@ struct Setting {
 /// All settings, in the order of help texts.
 std::span<const Setting> setting_table();
 
+/// A run of the viewer has at most this many iterations, because its pages keep a row for each.
+inline constexpr int kMostIterations = 10'000;
+
+/// Throws InvalidArgument if a setting is unknown, or has a value that the table does not accept, or needs
+/// another setting that is absent, or if there would be more than kMostIterations.
+RunSettings run_settings(const Settings& values);
+
 /// Returns the reason why a value of kChoice makes no sense for this graph, or an empty text.
 std::string why_unsuitable(const Graph& graph, const Setting& setting, std::string_view word);
 

@@ -4,13 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <tuple>
 #include <utility>
-
-#include "boxplus/base/error.h"
-#include "boxplus/optimize/optimizer.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -19,6 +14,8 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kBusy = "the viewer is busy: wait until the run ends, or stop it";
+constexpr const char* kHeld = "the graph is in the hands of its program";
+constexpr const char* kRunning = "running";
 
 Json row_json(const IterationRecord& record) {
   return {{"iteration", record.iteration}, {"chi2", record.chi2},     {"chi2_decrease", record.chi2_decrease},
@@ -36,35 +33,30 @@ Json news_of(const std::vector<T>& items, std::size_t first, F&& json) {
 
 }  // namespace
 
-Workspace::Workspace() {
+Workspace::Workspace(Opener opener) : opener_(std::move(opener)) {
   worker_ = std::thread([this] { work(); });
 }
 
 Workspace::~Workspace() {
   end();
   worker_.join();
+  if (subject_ && !is_held_) subject_->drop_estimates();
 }
 
 // ---- Commands ----
 
-void Workspace::optimize(RunSettings settings) {
-  if (settings.options.max_iterations > kMostIterations)
-    throw InvalidArgument(fmt::format("iterations: expected at most {}, got {}", kMostIterations,
-                                      settings.options.max_iterations));
-  request({.kind = Job::Kind::kRun, .settings = std::move(settings)});
+void Workspace::optimize(const Settings& settings) {
+  request({.kind = Job::Kind::kRun, .settings = settings});
 }
 
-void Workspace::step(RunSettings settings) {
-  settings.options.start = Start::kCurrent;
-  settings.options.max_iterations = 1;
-  request({.kind = Job::Kind::kRun, .settings = std::move(settings)});
+void Workspace::step(const Settings& settings) {
+  request({.kind = Job::Kind::kStep, .settings = settings});
 }
 
-void Workspace::guess(RunSettings settings) {
-  if (settings.options.start == Start::kCurrent || settings.options.start == Start::kAutomatic)
+void Workspace::guess(const std::string& start) {
+  if (start == to_string(Start::kCurrent) || start == to_string(Start::kAutomatic))
     throw InvalidArgument("expected the name of an initial guess");
-  settings.options.max_iterations = 0;
-  request({.kind = Job::Kind::kGuess, .settings = std::move(settings)});
+  request({.kind = Job::Kind::kGuess, .settings = {{"start", start}}, .name = start});
 }
 
 void Workspace::reset() {
@@ -72,25 +64,33 @@ void Workspace::reset() {
 }
 
 void Workspace::open(std::string name, std::string text) {
+  if (!opener_) throw InvalidArgument("this viewer shows the graph of a program, and opens no files");
   request({.kind = Job::Kind::kOpen, .name = std::move(name), .text = std::move(text)});
 }
 
 void Workspace::expect_idle() const {
   const std::lock_guard lock(mutex_);
-  if (is_busy_) throw Busy(kBusy);
+  if (is_busy_) throw Busy(is_held_ ? kHeld : kBusy);
 }
 
 void Workspace::stop() {
-  stop_ = true;
+  const std::lock_guard lock(mutex_);
+  if (!is_held_ || status_ == kRunning) stop_ = true;
+}
+
+void Workspace::show(std::unique_ptr<Subject> subject) {
+  work_here(false, "reading", [&] { replace(std::move(subject)); });
 }
 
 void Workspace::show(GraphFile file, const std::string& name) {
-  work_here(false, "reading", [&] { replace(std::move(file), name); });
+  auto subject = std::make_unique<GraphSubject>(std::move(file), name);
+  subject->log_notes(*this);
+  show(std::move(subject));
 }
 
 std::string Workspace::formatted(const std::string& format) {
   std::string text;
-  work_here(true, "saving", [&] { text = format_graph(*file_, {.format = format}); });
+  work_here(true, "saving", [&] { text = subject_->formatted(format); });
   return text;
 }
 
@@ -121,8 +121,8 @@ void Workspace::end() {
 /// Makes the caller, who holds mutex_, the only one that uses the graph, until release().
 void Workspace::claim(bool needs_graph) {
   if (ending_) throw InvalidArgument("the viewer is ending");
-  if (is_busy_) throw Busy(kBusy);
-  if (needs_graph && !file_) throw InvalidArgument("there is no graph: open a file first");
+  if (is_busy_) throw Busy(is_held_ ? kHeld : kBusy);
+  if (needs_graph && !subject_) throw InvalidArgument("there is no graph: open a file first");
   is_busy_ = true;
   ++version_;
   has_news_.notify_all();
@@ -138,11 +138,57 @@ void Workspace::release() {
 
 void Workspace::request(Job job) {
   const std::lock_guard lock(mutex_);
+  if (!is_busy_ && subject_) subject_->check(job.settings);
   claim(job.kind != Job::Kind::kOpen);
   stop_ = false;
   activity_ = job.kind == Job::Kind::kOpen ? "reading" : "optimizing";
   job_ = std::move(job);
   has_job_.notify_all();
+}
+
+// ---- A program that holds the workspace ----
+
+void Workspace::hold() {
+  std::unique_lock lock(mutex_);
+  if (is_held_) return;
+  stop_ = true;
+  has_news_.wait(lock, [this] { return ending_ || !is_busy_; });
+  stop_ = false;
+  is_busy_ = is_held_ = true;
+  activity_ = "in the hands of the program";
+  if (subject_) subject_->drop_estimates();
+  ++version_;
+  has_news_.notify_all();
+}
+
+void Workspace::hand_over() {
+  if (!is_held_) return;
+  update();
+  subject_->keep_estimates();
+  {
+    const std::lock_guard lock(mutex_);
+    is_held_ = false;
+    if (status_ == kRunning) status_ = "ended";
+  }
+  release();
+}
+
+bool Workspace::watch(const IterationRecord& record) {
+  if (record.iteration == 1) begin_run();
+  note(record);
+  return !stop_;
+}
+
+void Workspace::watch_end(const Outcome& outcome) {
+  update_structure();
+  finish(outcome);
+}
+
+void Workspace::update() {
+  update_structure();
+  const double chi2 = subject_->chi2();
+  set_chi2(chi2);
+  make_frame(static_cast<int>(rows_.size()), chi2, true);
 }
 
 // ---- The worker ----
@@ -165,10 +211,10 @@ void Workspace::work() {
       failure = error.what();
     }
     if (!failure.empty()) {
-      add_line("error", failure);
+      log("error", failure);
       const std::lock_guard lock(mutex_);
       if (job.kind == Job::Kind::kOpen) error_ = failure;
-      if (job.kind == Job::Kind::kRun) {
+      if (job.kind == Job::Kind::kRun || job.kind == Job::Kind::kStep) {
         status_ = "failed";
         headline_ = failure;
       }
@@ -177,16 +223,20 @@ void Workspace::work() {
   }
 }
 
-void Workspace::carry_out(Job& job) {
+void Workspace::carry_out(const Job& job) {
   switch (job.kind) {
     case Job::Kind::kOpen:
       return read(job);
     case Job::Kind::kGuess:
-      return make_guess(job.settings);
+      return make_guess(job.name);
     case Job::Kind::kReset:
       return restore();
+    case Job::Kind::kStep:
+      begin_run();
+      return finish(subject_->step(job.settings, *this));
     default:
-      return finish(run(job.settings, true));
+      begin_run();
+      return finish(subject_->run(job.settings, *this));
   }
 }
 
@@ -195,113 +245,51 @@ void Workspace::read(const Job& job) {
     const std::lock_guard lock(mutex_);
     error_.clear();
   }
-  GraphFile file = parse_graph(job.text, job.name);
-  if (file.graph.vertex_count() == 0)
-    throw InputError(job.name, file.lines + 1, 1, "expected a vertex or an edge, got the end of the file");
-  if (file.vertices_created) {
-    Options options;
-    options.start = Start::kChordal;
-    options.max_iterations = 0;
-    options.stop = &stop_;
-    std::ignore = boxplus::optimize(file.graph, options);
-    if (stop_) throw InvalidArgument(job.name + ": stopped, so the file was not opened");
-  }
-  replace(std::move(file), job.name);
+  replace(opener_(job.name, job.text, *this));
 }
 
-void Workspace::replace(GraphFile file, const std::string& name) {
-  Structure structure = make_structure(file.graph);
-  file.graph.push();
-  const double chi2 = file.graph.chi2();
-  const Message form = form_message(file.graph),
-                structure_text = structure_message(structure, structure_number_ + 1);
-  optimizer_.reset();  // before its graph
-  file_.emplace(std::move(file));
-  structure_ = std::move(structure);
-  has_kernels_ = false;
+void Workspace::replace(std::unique_ptr<Subject> subject) {
+  subject->keep_estimates();
+  const double chi2 = subject->chi2();
+  const Message form = subject->form(), structure = subject->structure(structure_number_ + 1);
+  const std::unique_ptr<Subject> old = std::exchange(subject_, std::move(subject));
   {
     const std::lock_guard lock(mutex_);
     ++structure_number_;
     form_message_ = form;
-    structure_message_ = structure_text;
-    facts_ = {name, file_->format, file_->graph.vertex_count(), file_->graph.edge_count(),
-              structure_.dimension};
+    structure_message_ = structure;
+    facts_ = subject_->facts();
     chi2_ = chi2_initial_ = chi2;
     has_run_ = false;
     rows_.clear();
   }
   make_frame(0, chi2, true);
-  add_line("info", fmt::format("{}: {} vertices, {} edges", name, file_->graph.vertex_count(),
-                               file_->graph.edge_count()));
-  constexpr std::size_t kMostNotes = 100;
-  for (std::size_t k = 0; k < std::min(file_->notes.size(), kMostNotes); ++k) {
-    const GraphFile::Note& note_of_file = file_->notes[k];
-    add_line("warning", note_of_file.line > 0
-                            ? fmt::format("{}:{}: {}", name, note_of_file.line, note_of_file.text)
-                            : fmt::format("{}: {}", name, note_of_file.text));
-  }
-  if (file_->notes.size() > kMostNotes)
-    add_line("warning", fmt::format("… and {} more notes", file_->notes.size() - kMostNotes));
-  if (structure_.left_out > 0)
-    add_line("warning", fmt::format("{} lines are not drawn, because there are more than {}",
-                                    structure_.left_out, Structure::kMostLines));
 }
 
-/// Sets the kernels that a run wants, and removes those of the last run.
-void Workspace::set_kernels(const RunSettings& settings) {
-  if (!has_kernels_ && settings.kernel.empty()) return;
-  const KernelFacts facts = robustify(file_->graph, settings);
-  has_kernels_ = facts.edges > 0;
-  if (!facts.name.empty()) add_line("info", fmt::format("{} kernel on {} edges", facts.name, facts.edges));
-}
-
-/// The rows of a run that is shown replace those of the last one.
-Report Workspace::run(const RunSettings& settings, bool is_shown) {
-  set_kernels(settings);
-  if (is_shown) {
-    const std::lock_guard lock(mutex_);
-    has_run_ = true;
-    ++run_number_;
-    rows_.clear();
-    status_ = "running";
-    headline_.clear();
-    summary_.clear();
-    ++version_;
-    has_news_.notify_all();
-  }
-  Options options = settings.options;
-  options.stop = &stop_;
-  if (is_shown) options.callback = [this](const IterationRecord& record) { return note(record); };
-  if (optimizer_) {
-    optimizer_->set_options(std::move(options));
-  } else {
-    optimizer_ = std::make_unique<Optimizer>(file_->graph, std::move(options));
-  }
+/// The rows of a new run replace those of the last one.
+void Workspace::begin_run() {
   next_frame_ = {};
-  return optimizer_->run();
+  const std::lock_guard lock(mutex_);
+  has_run_ = true;
+  ++run_number_;
+  rows_.clear();
+  status_ = kRunning;
+  headline_.clear();
+  summary_.clear();
+  ++version_;
+  has_news_.notify_all();
 }
 
-void Workspace::make_guess(const RunSettings& settings) {
-  const Report report = run(settings, false);
-  const double chi2 = final_chi2(report);
-  {
-    const std::lock_guard lock(mutex_);
-    chi2_ = chi2;
-  }
-  if (report.start.used != settings.options.start) {
-    add_line("warning", fmt::format("no initial guess {} was made: {}", to_string(settings.options.start),
-                                    report.start.note.empty() ? report.message : report.start.note));
-    return;
-  }
-  add_line("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used), chi2));
-  make_frame(0, chi2, true);
+void Workspace::make_guess(const std::string& start) {
+  const bool is_made = subject_->guess(start, *this);
+  const double chi2 = subject_->chi2();
+  set_chi2(chi2);
+  if (is_made) make_frame(0, chi2, true);
 }
 
 void Workspace::restore() {
-  set_kernels({});
-  file_->graph.pop();
-  file_->graph.push();
-  const double chi2 = file_->graph.chi2();
+  subject_->restore();
+  const double chi2 = subject_->chi2();
   {
     const std::lock_guard lock(mutex_);
     chi2_ = chi2;
@@ -310,7 +298,7 @@ void Workspace::restore() {
     ++run_number_;
   }
   make_frame(0, chi2, true);
-  add_line("info", "the estimates are those of the file");
+  log("info", "the estimates are those of the file");
 }
 
 bool Workspace::note(const IterationRecord& record) {
@@ -325,47 +313,53 @@ bool Workspace::note(const IterationRecord& record) {
   constexpr auto kShortest = std::chrono::milliseconds(33);
   constexpr int kShare = 25;
   const auto begin = Clock::now();
+  update_structure();
   make_frame(record.iteration, record.chi2, false);
   const auto end = Clock::now();
   next_frame_ = end + std::max<Clock::duration>(kShortest, kShare * (end - begin));
   return true;
 }
 
-/// chi2 at the end of a run. The report has none if the run was stopped before it evaluated chi2.
-double Workspace::final_chi2(const Report& report) const {
-  return std::isfinite(report.chi2_final) ? report.chi2_final : file_->graph.chi2();
+void Workspace::set_chi2(double chi2) {
+  const std::lock_guard lock(mutex_);
+  chi2_ = chi2;
 }
 
-void Workspace::finish(const Report& report) {
-  const std::string text = to_string(report);
-  const double chi2 = final_chi2(report);
+void Workspace::finish(const Outcome& outcome) {
   {
     const std::lock_guard lock(mutex_);
-    rows_ = report.records;
-    chi2_ = chi2;
-    status_ = to_string(report.status);
-    headline_ = text.substr(0, text.find('\n'));
-    summary_ = text;
+    rows_ = outcome.rows;
+    chi2_ = outcome.chi2;
+    status_ = outcome.status;
+    headline_ = outcome.headline;
+    summary_ = outcome.summary;
+    has_run_ = true;
     ++run_number_;  // the kept rows replace those that the readers have
   }
-  add_line(report.converged() ? "info" : "warning", fmt::format("{}; {}", headline_, report.message));
-  make_frame(report.iterations, chi2, true);
+  log(outcome.converged ? "info" : "warning", fmt::format("{}; {}", outcome.headline, outcome.reason));
+  make_frame(static_cast<int>(outcome.rows.size()), outcome.chi2, true);
 }
 
-void Workspace::add_line(const char* level, std::string text) {
+void Workspace::log(const char* level, std::string text) {
   const std::lock_guard lock(mutex_);
   log_.push_back({level, std::move(text)});
   ++version_;
   has_news_.notify_all();
 }
 
+void Workspace::update_structure() {
+  if (!subject_->update_structure()) return;
+  const Message form = subject_->form(), structure = subject_->structure(structure_number_ + 1);
+  const std::lock_guard lock(mutex_);
+  ++structure_number_;
+  form_message_ = form;
+  structure_message_ = structure;
+  facts_ = subject_->facts();
+}
+
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
-  const Positions positions = read_positions(file_->graph, structure_);
-  const std::vector<float> errors =
-      at_rest && structure_.is_bundle ? read_point_errors(file_->graph, structure_) : std::vector<float>();
   const std::uint64_t sequence = sequence_ + 1;  // only this thread writes it
-  Message message =
-      frame_message({structure_number_, sequence, iteration, chi2}, structure_, positions, errors);
+  Message message = subject_->frame({structure_number_, sequence, iteration, chi2}, at_rest);
   const std::lock_guard lock(mutex_);
   frame_message_ = std::move(message);
   sequence_ = sequence;

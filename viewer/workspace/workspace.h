@@ -14,10 +14,9 @@
 #include <thread>
 #include <vector>
 
-#include "boxplus/io/graph_file.h"
-#include "boxplus/optimize/optimizer.h"
+#include "boxplus/base/error.h"
 #include "viewer/server/messages.h"
-#include "viewer/settings/run_settings.h"
+#include "viewer/workspace/graph_subject.h"
 
 namespace boxplus::viewer {
 
@@ -26,37 +25,38 @@ class Busy : public InvalidArgument {
   using InvalidArgument::InvalidArgument;
 };
 
-/// Owns a graph and one worker thread, which optimizes it. Commands come from any thread and return at once.
-/// Any number of readers on other threads get the messages of PROTOCOL.md. A slow reader misses frames; it
-/// never delays the worker.
+/// Owns a subject and one worker thread, which optimizes it. Commands come from any thread and return at
+/// once. Any number of readers on other threads get the messages of PROTOCOL.md. A slow reader misses frames;
+/// it never delays the worker.
 ///
-/// While the worker runs, a frame is made at most 30 times a second, in at most 1/25 of the time, and only if
+/// While a run goes on, a frame is made at most 30 times a second, in at most 1/25 of the time, and only if
 /// there is a reader.
-class Workspace {
+///
+/// A program can hold the workspace of its own graph: it then works on the graph itself, and the pages watch.
+class Workspace final : private Listener {
  public:
-  /// Without a graph, until show() or open().
-  Workspace();
+  /// Without a graph, until show() or open(). If `opener` is empty, open() is refused.
+  explicit Workspace(Opener opener = open_graph);
   /// Stops the run.
-  ~Workspace();
+  ~Workspace() override;
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
-  /// Replaces the graph. It must have estimates. `name` is shown to the user. Throws Busy while a command is
-  /// carried out.
+  /// Replaces the graph. `name` is shown to the user. Throws Busy while a command is carried out.
+  void show(std::unique_ptr<Subject> subject);
   void show(GraphFile file, const std::string& name);
 
-  static constexpr int kMostIterations = 10'000;
-  /// These throw Busy while another command is carried out, and InvalidArgument if there is no graph.
-  /// optimize() also throws InvalidArgument if there would be more than kMostIterations.
-  void optimize(RunSettings settings);
+  /// These throw Busy while another command is carried out, and InvalidArgument if there is no graph, or if a
+  /// setting is wrong.
+  void optimize(const Settings& settings);
   /// One iteration from the current estimates.
-  void step(RunSettings settings);
-  /// Replaces the estimates by an initial guess: the start of the settings.
-  void guess(RunSettings settings);
+  void step(const Settings& settings);
+  /// Replaces the estimates by an initial guess: a value of the setting "start".
+  void guess(const std::string& start);
   /// Restores the estimates of the file.
   void reset();
-  /// Reads a file in any format that is no folder, and replaces the graph. If this fails, the graph stays,
-  /// and the state has the message. Throws Busy while another command is carried out.
+  /// Reads a file and replaces the graph. If this fails, the graph stays, and the state has the message.
+  /// Throws Busy while another command is carried out.
   void open(std::string name, std::string text);
   /// Throws Busy while a command is carried out.
   void expect_idle() const;
@@ -66,6 +66,19 @@ class Workspace {
   /// Returns the graph with its current estimates as a file of a format (FileFormat::name). Throws Busy while
   /// a command is carried out, and InvalidArgument if there is no graph, or as format_graph() does.
   std::string formatted(const std::string& format);
+
+  /// Stops the command that is carried out, and waits for its end. From now on, the calling thread may use
+  /// the graph, and commands of pages are refused, except for stop().
+  void hold();
+  /// Ends hold(): pages may work on the graph again. reset() then restores the current estimates.
+  void hand_over();
+  /// Call it after each iteration of a run of the program, while the workspace is held. The first iteration
+  /// begins a new table. Returns false if a page wants the run to stop.
+  bool watch(const IterationRecord& record);
+  /// Shows the end of the run, and the estimates. The workspace must be held.
+  void watch_end(const Outcome& outcome);
+  /// Shows the current estimates, and the structure if it has changed. The workspace must be held.
+  void update();
 
   /// Stops the run, refuses all later commands, and wakes all readers.
   void end();
@@ -96,45 +109,40 @@ class Workspace {
 
  private:
   struct Job {
-    enum class Kind : std::uint8_t { kNone, kRun, kGuess, kReset, kOpen };
+    enum class Kind : std::uint8_t { kNone, kRun, kStep, kGuess, kReset, kOpen };
     Kind kind = Kind::kNone;
-    RunSettings settings = {};
-    std::string name = {}, text = {};  ///< of the file to open
+    Settings settings = {};
+    std::string name = {}, text = {};  ///< of the file to open; or the name of the initial guess
   };
   struct Line {
     const char* level;
     std::string text;
   };
-  /// What readers see of the graph.
-  struct FileFacts {
-    std::string name, format;
-    std::size_t vertices = 0, edges = 0;
-    int dimension = 2;
-  };
+
+  bool note(const IterationRecord& record) override;
+  void log(const char* level, std::string text) override;
+  const std::atomic<bool>& stop_flag() const override { return stop_; }
 
   void claim(bool needs_graph);
   void work_here(bool needs_graph, const char* activity, const std::function<void()>& work);
   void release();
   void request(Job job);
   void work();
-  void carry_out(Job& job);
-  void replace(GraphFile file, const std::string& name);
+  void carry_out(const Job& job);
+  void replace(std::unique_ptr<Subject> subject);
   void read(const Job& job);
-  void set_kernels(const RunSettings& settings);
-  Report run(const RunSettings& settings, bool is_shown);
-  void make_guess(const RunSettings& settings);
+  void begin_run();
+  void make_guess(const std::string& start);
   void restore();
-  bool note(const IterationRecord& record);
-  double final_chi2(const Report& report) const;
-  void finish(const Report& report);
-  void add_line(const char* level, std::string text);
+  void set_chi2(double chi2);
+  void finish(const Outcome& outcome);
+  void update_structure();
   void make_frame(int iteration, double chi2, bool at_rest);
 
+  const Opener opener_;
+
   // Used only by the thread that has claimed the workspace.
-  std::optional<GraphFile> file_;
-  Structure structure_;
-  std::unique_ptr<Optimizer> optimizer_;
-  bool has_kernels_ = false;
+  std::unique_ptr<Subject> subject_;
   std::chrono::steady_clock::time_point next_frame_{};
 
   std::atomic<bool> stop_ = false, ending_ = false;
@@ -144,11 +152,11 @@ class Workspace {
   mutable std::mutex mutex_;
   std::condition_variable has_job_, has_news_;
   Job job_;
-  bool is_busy_ = false;
+  bool is_busy_ = false, is_held_ = false;
   const char* activity_ = "";
   std::uint64_t version_ = 1, structure_number_ = 0, sequence_ = 0;
   Message form_message_, structure_message_, frame_message_;
-  std::optional<FileFacts> facts_;
+  std::optional<Subject::Facts> facts_;
   std::string error_;
   double chi2_ = 0, chi2_initial_ = 0;
   int run_number_ = 0;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "boxplus/base/error.h"
@@ -17,6 +18,7 @@
 #include "optimize/optimize_run.h"
 #include "optimize/progress.h"
 #include "optimize/report_json.h"
+#include "view/live_view.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::app {
@@ -75,12 +77,15 @@ int optimize_file(const OptimizeArguments& arguments) {
   facts.kernel = set_kernels(file.graph, arguments);
 
   const Interrupt interrupt;
-  const Report report = run_optimize(file.graph, arguments, progress);
+  std::optional<LiveView> view;
+  if (arguments.view) view.emplace(file, arguments.input, arguments);
+  const Report report = run_optimize(file.graph, arguments, progress, view ? &*view : nullptr);
   if (!arguments.output.empty()) save_graph(arguments.output, file);
   facts.total_s = seconds_since(begin);
   if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));
   if (!arguments.quiet) print_report(report, facts, arguments);
   print_why_stopped(report, arguments);
+  if (view) view->serve(report, exit_code(report.status));
   return exit_code(report.status);
 }
 

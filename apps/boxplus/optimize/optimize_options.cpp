@@ -90,6 +90,13 @@ void add_problem_options(CLI::App& command, OptimizeArguments& arguments) {
                 "Move only these vertices; all others keep their estimates");
 }
 
+void add_view_options(CLI::App& command, OptimizeArguments& arguments) {
+  CLI::Option* view = command.add_flag("--view", arguments.view,
+                                       "Show the run in a browser, and serve the page after it until Ctrl-C");
+  view->group("View");
+  add_serving_options(command, arguments, view);
+}
+
 }  // namespace
 
 void add_robust_options(CLI::App& command, viewer::RunSettings& settings) {
@@ -102,6 +109,7 @@ void add_optimize_options(CLI::App& command, OptimizeArguments& arguments) {
   add_robust_options(command, arguments);
   add_problem_options(command, arguments);
   add_settings(command, "Stop", arguments);
+  add_view_options(command, arguments);
   add_reading_options(command, arguments.reading);
 }
 

@@ -7,6 +7,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "command_line/id_ranges.h"
+#include "view/serving.h"
 #include "viewer/settings/run_settings.h"
 
 namespace CLI {
@@ -18,9 +19,9 @@ namespace boxplus::app {
 /// Adds --kernel and the options that belong to it. They set `settings`.
 void add_robust_options(CLI::App& command, viewer::RunSettings& settings);
 
-struct OptimizeArguments : viewer::RunSettings {
+struct OptimizeArguments : viewer::RunSettings, ServingArguments {
   std::string input, output, json;
-  bool quiet = false, verbose = false;
+  bool quiet = false, verbose = false, view = false;
   ReadOptions reading;
   std::vector<IdRange> fixed, moving;
 };

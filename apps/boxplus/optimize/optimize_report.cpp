@@ -52,10 +52,12 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
 
 void print_why_stopped(const Report& report, const OptimizeArguments& arguments) {
   if (report.converged()) return;
-  if (report.reason == Report::Reason::kStopFlag) {
-    print_message(fmt::format("{}: interrupted after {} iteration{}; the best estimate is {}",
-                              input_name(arguments.input), report.iterations,
-                              report.iterations == 1 ? "" : "s", where_written(arguments)));
+  const bool on_page = report.reason == Report::Reason::kCallback;
+  if (on_page || report.reason == Report::Reason::kStopFlag) {
+    print_message(fmt::format("{}: {} after {} iteration{}; the best estimate is {}",
+                              input_name(arguments.input), on_page ? "stopped on the page" : "interrupted",
+                              report.iterations, report.iterations == 1 ? "" : "s",
+                              where_written(arguments)));
   } else {
     print_message(fmt::format("{}: {}", input_name(arguments.input), report.message));
   }

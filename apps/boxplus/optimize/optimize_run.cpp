@@ -40,13 +40,13 @@ viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& setting
   return facts;
 }
 
-Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress) {
+Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress, LiveView* view) {
   Options options = arguments.options;
   options.vertices = find_vertices(graph, arguments.moving, "--only-vertices");
   options.stop = Interrupt::flag();
-  options.callback = [&progress](const IterationRecord& record) {
+  options.callback = [&progress, view](const IterationRecord& record) {
     progress.iteration(record);
-    return true;
+    return view == nullptr || view->watch(record);
   };
   const FixForRun fixed(graph, find_vertices(graph, arguments.fixed, "--fix"));
   progress.stage("preparing …");

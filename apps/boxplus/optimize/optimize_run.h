@@ -5,6 +5,7 @@
 #include "boxplus/optimize/report.h"
 #include "optimize/optimize_options.h"
 #include "optimize/progress.h"
+#include "view/live_view.h"
 #include "viewer/settings/run_settings.h"
 
 namespace boxplus::app {
@@ -12,7 +13,8 @@ namespace boxplus::app {
 /// Sets the requested robust kernel on the chosen edges. Returns the facts about the kernel for the report.
 viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& settings);
 
-/// Optimizes the graph and shows progress, until the run ends or a signal raises the flag of Interrupt.
-Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress);
+/// Optimizes the graph and shows progress, until the run ends, a signal raises the flag of Interrupt, or the
+/// user stops it in `view`, which may be null.
+Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress, LiveView* view);
 
 }  // namespace boxplus::app

@@ -93,5 +93,6 @@ void write_graph(const std::string& path, const Graph& graph, const WriteOptions
 /// The text that write_graph() would write to a file without an extension. Throws InvalidArgument if the
 /// format is that of a folder.
 std::string format_graph(const GraphFile& file, const WriteOptions& options = {});
+std::string format_graph(const Graph& graph, const WriteOptions& options = {});
 
 }  // namespace boxplus

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "boxplus/base/error.h"
+#include "boxplus/manifold/se2.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -41,6 +42,14 @@ Json settled(Workspace::Reader& reader) {
       if (kind_of(message) == MessageKind::kState) state = Json::parse(message->substr(8));
     }
     if (!state.is_null() && !state["busy"].get<bool>()) return state;
+  }
+  return {};
+}
+
+/// The newest state, without waiting for the end of anything.
+Json last_state(Workspace::Reader& reader) {
+  for (const Message& message : reader.wait(10s)) {
+    if (kind_of(message) == MessageKind::kState) return Json::parse(message->substr(8));
   }
   return {};
 }
@@ -102,9 +111,7 @@ TEST(Workspace, MakesTheInitialGuessOfTheSettings) {
   Workspace workspace;
   workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, "");
-  RunSettings settings;
-  settings.options.start = Start::kOdometry;
-  workspace.guess(settings);
+  workspace.guess("odometry");
   const Json state = settled(reader);
   EXPECT_NEAR(state["chi2"].get<double>(), 0.25, 1e-12);  // the closure measures 2.5 instead of 2
   EXPECT_TRUE(state["run"].is_null());
@@ -114,9 +121,7 @@ TEST(Workspace, RemovesKernelsThatTheNextRunDoesNotWant) {
   Workspace workspace;
   workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, "");
-  RunSettings settings;
-  settings.kernel = "Huber";
-  settings.kernel_width = 1e-3;
+  const Settings settings{{"kernel", "Huber"}, {"kernel-width", "1e-3"}};
   workspace.optimize(settings);
   const double robust = settled(reader)["chi2"].get<double>();
   workspace.optimize({});
@@ -144,6 +149,87 @@ TEST(Workspace, ReportsAnErrorFunctionThatThrows) {
   const Json state = settled(reader);
   EXPECT_EQ(state["run"]["status"], "failed");
   EXPECT_THAT(state["run"]["headline"].get<std::string>(), HasSubstr("the sensor is broken"));
+}
+
+/// A workspace of the graph of a program, which holds it.
+class HeldWorkspace : public testing::Test {
+ protected:
+  HeldWorkspace() {
+    workspace.show(std::make_unique<GraphSubject>(file.graph, "own"));
+    workspace.hold();
+  }
+
+  /// Optimizes as a program does.
+  Report optimize_as_program(int iterations) {
+    Options options;
+    options.max_iterations = iterations;
+    options.cost_tolerance = options.step_tolerance = 0;
+    options.callback = [&](const IterationRecord& record) { return workspace.watch(record); };
+    Report report = optimize(file.graph, options);
+    workspace.watch_end(outcome_of(report));
+    return report;
+  }
+
+  GraphFile file = small_graph();
+  Workspace workspace{nullptr};
+};
+
+TEST_F(HeldWorkspace, ShowsTheRunOfItsProgram) {
+  Workspace::Reader reader(workspace, "");
+  const Report report = optimize_as_program(4);
+  const Json state = last_state(reader);
+  EXPECT_EQ(state["run"]["status"], to_string(report.status));
+  EXPECT_EQ(state["run"]["rows"].size(), report.records.size());
+  EXPECT_EQ(state["chi2"].get<double>(), report.chi2_final);
+}
+
+TEST_F(HeldWorkspace, RefusesCommandsUntilItIsHandedOver) {
+  EXPECT_THROW(workspace.optimize({}), Busy);
+  EXPECT_THROW(workspace.formatted("g2o"), Busy);
+  workspace.hand_over();
+  Workspace::Reader reader(workspace, "");
+  workspace.optimize({});
+  EXPECT_EQ(settled(reader)["run"]["status"], "converged");
+  EXPECT_THAT(workspace.formatted("g2o"), HasSubstr("EDGE_SE2"));
+  EXPECT_THROW(workspace.open("a.g2o", "VERTEX_SE2 0 0 0 0"), InvalidArgument);
+}
+
+TEST_F(HeldWorkspace, StopsTheRunOfItsProgramOnlyWhileItGoesOn) {
+  workspace.stop();
+  EXPECT_GT(optimize_as_program(3).iterations, 1);
+  Options options;
+  options.callback = [&](const IterationRecord& record) {
+    const bool goes_on = workspace.watch(record);
+    workspace.stop();
+    return goes_on;
+  };
+  options.cost_tolerance = options.step_tolerance = 0;
+  const Report report = optimize(file.graph, options);
+  EXPECT_EQ(report.reason, Report::Reason::kCallback);
+  EXPECT_EQ(report.iterations, 2);
+}
+
+TEST_F(HeldWorkspace, ShowsElementsThatItsProgramAdds) {
+  Workspace::Reader reader(workspace, "");
+  last_state(reader);
+  file.graph.add_vertex(SE2(1, 1, 0));
+  workspace.update();
+  const std::vector<Message> messages = reader.wait(10s);
+  ASSERT_EQ(messages.size(), 4U);
+  EXPECT_EQ(kind_of(messages[2]), MessageKind::kStructure);
+  EXPECT_EQ(Json::parse(messages[0]->substr(8))["file"]["vertices"], 4);
+}
+
+TEST_F(HeldWorkspace, LeavesTheStackOfTheGraphAsItWas) {
+  workspace.hand_over();
+  Workspace::Reader reader(workspace, "");
+  const double before = settled(reader)["chi2"].get<double>();
+  workspace.step({});
+  EXPECT_LT(settled(reader)["chi2"].get<double>(), before);
+  workspace.reset();
+  EXPECT_EQ(settled(reader)["chi2"].get<double>(), before);
+  workspace.hold();
+  EXPECT_THROW(file.graph.pop(), InvalidArgument);
 }
 
 TEST(Workspace, WakesItsReadersWhenItEnds) {

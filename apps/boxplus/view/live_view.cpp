@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/live_view.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "command_line/message.h"
+#include "optimize/interrupt.h"
+
+namespace boxplus::app {
+
+LiveView::LiveView(GraphFile& file, const std::string& path, const ServingArguments& arguments)
+    : workspace_(nullptr), server_(workspace_, arguments.server) {
+  workspace_.show(std::make_unique<viewer::GraphSubject>(file.graph, shown_name(path), &file));
+  workspace_.hold();
+  print_message(fmt::format("view it at {}", server_.url()));
+  sigset_t none;
+  sigemptyset(&none);
+  if (arguments.opens_browser) open_browser(server_.url(), none);
+}
+
+void LiveView::serve(const Report& report, int code) {
+  workspace_.watch_end(viewer::outcome_of(report));
+  if (Interrupt::raised()) return;
+  workspace_.hand_over();
+  print_message(fmt::format("the viewer stays at {}; Ctrl-C ends it", server_.url()));
+  while (!Interrupt::raised()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  end_soon(code);
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view/serving.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "command_line/message.h"
+#include "command_line/option_kinds.h"
+#include "files/graph_input.h"
+
+namespace boxplus::app {
+
+void add_serving_options(CLI::App& command, ServingArguments& arguments, CLI::Option* needed) {
+  CLI::Option* port =
+      command.add_option("--port", arguments.server.port,
+                         fmt::format("The port of the server; 0: {}, or any free port if it is taken",
+                                     viewer::ServerOptions::kUsualPort));
+  port->check(whole_number_within(0, 65535))->type_name("N")->capture_default_str();
+  CLI::Option* host = command.add_option("--host", arguments.server.host,
+                                         "The address at which the server listens. At any other address than "
+                                         "127.0.0.1, other machines can reach "
+                                         "it, and the URL contains a token that they need");
+  host->check(file_name())->type_name("ADDRESS")->capture_default_str();
+  CLI::Option* open = command.add_flag("--open", arguments.opens_browser, "Open the URL in the browser");
+  if (needed == nullptr) return;
+  for (CLI::Option* option : {port, host, open}) option->needs(needed)->group(needed->get_group());
+}
+
+std::string shown_name(const std::string& path) {
+  if (path == kStandardStream) return input_name(path);
+  const std::filesystem::path file(path);
+  return (file.has_filename() ? file : file.parent_path()).filename().string();
+}
+
+void open_browser(const std::string& url, const sigset_t& signals) {
+  std::string program = "xdg-open", address = url;
+  std::array<char*, 3> arguments{program.data(), address.data(), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_RDWR, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t process = 0;
+  if (posix_spawnp(&process, program.c_str(), &files, &attributes, arguments.data(), environ) != 0)
+    print_message("--open: xdg-open was not found, so open the URL yourself");
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+}
+
+void end_soon(int code) {
+  std::thread([code] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    std::_Exit(code);
+  }).detach();
+}
+
+}  // namespace boxplus::app

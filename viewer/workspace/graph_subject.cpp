@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/workspace/graph_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "boxplus/base/error.h"
+#include "viewer/settings/setting_table.h"
+
+namespace boxplus::viewer {
+
+Outcome outcome_of(const Report& report) {
+  const std::string text = to_string(report);
+  return {.status = std::string(to_string(report.status)),
+          .headline = text.substr(0, text.find('\n')),
+          .summary = text,
+          .reason = report.message,
+          .converged = report.converged(),
+          .chi2 = report.chi2_final,
+          .rows = report.records};
+}
+
+GraphSubject::GraphSubject(GraphFile file, std::string name)
+    : own_(std::move(file)), graph_(&own_->graph), file_(&*own_), name_(std::move(name)) {
+  structure_ = make_structure(*graph_);
+}
+
+GraphSubject::GraphSubject(Graph& graph, std::string name, const GraphFile* file)
+    : graph_(&graph), file_(file), name_(std::move(name)) {
+  structure_ = make_structure(*graph_);
+}
+
+Subject::Facts GraphSubject::facts() const {
+  return {name_, file_ != nullptr ? file_->format : "", graph_->vertex_count(), graph_->edge_count(),
+          structure_.dimension};
+}
+
+Message GraphSubject::form() const {
+  return form_message(*graph_);
+}
+
+bool GraphSubject::update_structure() {
+  if (structure_.revision == graph_->revision()) return false;
+  structure_ = make_structure(*graph_);
+  return true;
+}
+
+Message GraphSubject::structure(std::uint64_t number) const {
+  return structure_message(structure_, number);
+}
+
+Message GraphSubject::frame(const FrameFacts& facts, bool at_rest) const {
+  const Positions positions = read_positions(*graph_, structure_);
+  const std::vector<float> errors =
+      at_rest && structure_.is_bundle ? read_point_errors(*graph_, structure_) : std::vector<float>();
+  return frame_message(facts, structure_, positions, errors);
+}
+
+void GraphSubject::check(const Settings& settings) const {
+  std::ignore = run_settings(settings);
+}
+
+Outcome GraphSubject::run(const Settings& settings, Listener& listener) {
+  return outcome(optimize(run_settings(settings), listener, true));
+}
+
+Outcome GraphSubject::step(const Settings& settings, Listener& listener) {
+  RunSettings one = run_settings(settings);
+  one.options.start = Start::kCurrent;
+  one.options.max_iterations = 1;
+  return outcome(optimize(one, listener, true));
+}
+
+bool GraphSubject::guess(const std::string& start, Listener& listener) {
+  RunSettings settings = run_settings({{"start", start}});
+  settings.options.max_iterations = 0;
+  const Report report = optimize(settings, listener, false);
+  if (report.start.used == settings.options.start) {
+    listener.log("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used),
+                                     outcome(report).chi2));
+    return true;
+  }
+  listener.log("warning", fmt::format("no initial guess {} was made: {}", to_string(settings.options.start),
+                                      report.start.note.empty() ? report.message : report.start.note));
+  return false;
+}
+
+void GraphSubject::restore() {
+  if (std::exchange(has_kernels_, false)) robustify(*graph_, {});
+  graph_->pop();
+  graph_->push();
+}
+
+void GraphSubject::drop_estimates() {
+  graph_->discard_top();
+}
+
+std::string GraphSubject::formatted(const std::string& format) const {
+  return file_ != nullptr ? format_graph(*file_, {.format = format})
+                          : format_graph(*graph_, {.format = format});
+}
+
+void GraphSubject::log_notes(Listener& listener) const {
+  listener.log("info",
+               fmt::format("{}: {} vertices, {} edges", name_, graph_->vertex_count(), graph_->edge_count()));
+  constexpr std::size_t kMostNotes = 100;
+  for (std::size_t k = 0; k < std::min(file_->notes.size(), kMostNotes); ++k) {
+    const GraphFile::Note& note = file_->notes[k];
+    listener.log("warning", note.line > 0 ? fmt::format("{}:{}: {}", name_, note.line, note.text)
+                                          : fmt::format("{}: {}", name_, note.text));
+  }
+  if (file_->notes.size() > kMostNotes)
+    listener.log("warning", fmt::format("… and {} more notes", file_->notes.size() - kMostNotes));
+  if (structure_.left_out > 0) {
+    listener.log("warning", fmt::format("{} lines are not drawn, because there are more than {}",
+                                        structure_.left_out, Structure::kMostLines));
+  }
+}
+
+Report GraphSubject::optimize(const RunSettings& settings, Listener& listener, bool is_shown) {
+  set_kernels(settings, listener);
+  Options options = settings.options;
+  options.stop = &listener.stop_flag();
+  if (is_shown) options.callback = [&](const IterationRecord& record) { return listener.note(record); };
+  if (optimizer_) {
+    optimizer_->set_options(std::move(options));
+  } else {
+    optimizer_ = std::make_unique<Optimizer>(*graph_, std::move(options));
+  }
+  return optimizer_->run();
+}
+
+/// The report has no chi2 if the run was stopped before it evaluated chi2.
+Outcome GraphSubject::outcome(const Report& report) const {
+  Outcome outcome = outcome_of(report);
+  if (!std::isfinite(outcome.chi2)) outcome.chi2 = graph_->chi2();
+  return outcome;
+}
+
+/// Sets the kernels that a run wants, and removes those of the last run.
+void GraphSubject::set_kernels(const RunSettings& settings, Listener& listener) {
+  if (!has_kernels_ && settings.kernel.empty()) return;
+  const KernelFacts facts = robustify(*graph_, settings);
+  has_kernels_ = facts.edges > 0;
+  if (!facts.name.empty())
+    listener.log("info", fmt::format("{} kernel on {} edges", facts.name, facts.edges));
+}
+
+std::unique_ptr<Subject> open_graph(const std::string& name, const std::string& text, Listener& listener) {
+  GraphFile file = parse_graph(text, name);
+  if (file.graph.vertex_count() == 0)
+    throw InputError(name, file.lines + 1, 1, "expected a vertex or an edge, got the end of the file");
+  if (file.vertices_created) {
+    Options options;
+    options.start = Start::kChordal;
+    options.max_iterations = 0;
+    options.stop = &listener.stop_flag();
+    std::ignore = boxplus::optimize(file.graph, options);
+    if (listener.stop_flag()) throw InvalidArgument(name + ": stopped, so the file was not opened");
+  }
+  auto subject = std::make_unique<GraphSubject>(std::move(file), name);
+  subject->log_notes(listener);
+  return subject;
+}
+
+}  // namespace boxplus::viewer

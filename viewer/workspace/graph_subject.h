@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A boxplus graph in the viewer.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/optimizer.h"
+#include "viewer/settings/run_settings.h"
+#include "viewer/workspace/subject.h"
+
+namespace boxplus::viewer {
+
+class GraphSubject final : public Subject {
+ public:
+  /// Owns the graph of a file. It must have estimates.
+  GraphSubject(GraphFile file, std::string name);
+  /// Shows a graph of the program, which must outlive this subject. `file` may be null; otherwise the graph
+  /// is the one in this file, which must outlive this subject, too.
+  GraphSubject(Graph& graph, std::string name, const GraphFile* file = nullptr);
+
+  Facts facts() const override;
+  double chi2() override { return graph_->chi2(); }
+  Message form() const override;
+  bool update_structure() override;
+  Message structure(std::uint64_t number) const override;
+  Message frame(const FrameFacts& facts, bool at_rest) const override;
+  void check(const Settings& settings) const override;
+  Outcome run(const Settings& settings, Listener& listener) override;
+  Outcome step(const Settings& settings, Listener& listener) override;
+  bool guess(const std::string& start, Listener& listener) override;
+  void keep_estimates() override { graph_->push(); }
+  void restore() override;
+  void drop_estimates() override;
+  std::string formatted(const std::string& format) const override;
+
+  /// Adds the notes on the file to the log.
+  void log_notes(Listener& listener) const;
+
+ private:
+  Report optimize(const RunSettings& settings, Listener& listener, bool is_shown);
+  Outcome outcome(const Report& report) const;
+  void set_kernels(const RunSettings& settings, Listener& listener);
+
+  std::optional<GraphFile> own_;
+  Graph* graph_;
+  const GraphFile* file_;
+  std::string name_;
+  Structure structure_;
+  std::unique_ptr<Optimizer> optimizer_;
+  bool has_kernels_ = false;
+};
+
+/// Reads a file in any format that is no folder. If it has no estimates, makes an initial guess.
+std::unique_ptr<Subject> open_graph(const std::string& name, const std::string& text, Listener& listener);
+
+}  // namespace boxplus::viewer

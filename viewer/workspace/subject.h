@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a workspace shows and works on.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "boxplus/optimize/report.h"
+#include "viewer/server/messages.h"
+#include "viewer/settings/run_settings.h"
+
+namespace boxplus::viewer {
+
+/// Gets what happens while a subject works.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  /// Call it after each iteration. If it returns false, the run must stop.
+  virtual bool note(const IterationRecord& record) = 0;
+  /// Adds a line to the log. `level` is "info", "warning" or "error".
+  virtual void log(const char* level, std::string text) = 0;
+  /// Becomes true if the work must stop.
+  virtual const std::atomic<bool>& stop_flag() const = 0;
+};
+
+/// The end of a run.
+struct Outcome {
+  std::string status;    ///< one word, such as "converged"
+  std::string headline;  ///< one line
+  std::string summary;   ///< several lines
+  std::string reason;    ///< one sentence
+  bool converged = false;
+  double chi2 = 0;
+  std::vector<IterationRecord> rows = {};  ///< all that belong to the result
+};
+
+/// The end of a run of boxplus.
+Outcome outcome_of(const Report& report);
+
+/// A graph with its optimizer. One thread at a time calls its functions.
+class Subject {
+ public:
+  struct Facts {
+    std::string name, format;
+    std::size_t vertices = 0, edges = 0;
+    int dimension = 2;
+  };
+
+  virtual ~Subject() = default;
+  virtual Facts facts() const = 0;
+  virtual double chi2() = 0;
+  /// What can be chosen.
+  virtual Message form() const = 0;
+  /// Reads the structure again if it has changed. Returns whether it has.
+  virtual bool update_structure() = 0;
+  virtual Message structure(std::uint64_t number) const = 0;
+  /// The current estimates, in the order of the structure. `at_rest` is false while a run goes on.
+  virtual Message frame(const FrameFacts& facts, bool at_rest) const = 0;
+
+  /// Throws InvalidArgument if a setting is unknown or has a wrong value.
+  virtual void check(const Settings& settings) const = 0;
+  /// Optimizes from the estimates that the settings name.
+  virtual Outcome run(const Settings& settings, Listener& listener) = 0;
+  /// One iteration from the current estimates.
+  virtual Outcome step(const Settings& settings, Listener& listener) = 0;
+  /// Replaces the estimates by an initial guess. Returns whether they were replaced.
+  virtual bool guess(const std::string& start, Listener& listener) = 0;
+  /// Remembers the current estimates for restore().
+  virtual void keep_estimates() = 0;
+  virtual void restore() = 0;
+  /// Ends what keep_estimates() began.
+  virtual void drop_estimates() = 0;
+  /// The graph as a file. Throws InvalidArgument if the format cannot contain it.
+  virtual std::string formatted(const std::string& format) const = 0;
+};
+
+/// Makes a subject of a file. Throws InputError or InvalidArgument with a text for the user.
+using Opener =
+    std::function<std::unique_ptr<Subject>(const std::string& name, const std::string& text, Listener&)>;
+
+}  // namespace boxplus::viewer
