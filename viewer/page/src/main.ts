@@ -14,6 +14,7 @@ import { Log } from "./panels/log";
 import { PictureTools } from "./panels/picture_tools";
 import { RunBar } from "./panels/run_bar";
 import { Tabs } from "./panels/tabs";
+import { TimeLinePanel } from "./panels/time_line_panel";
 import { TopBar } from "./panels/top_bar";
 import { Connection } from "./protocol/connection";
 import type { Message } from "./protocol/messages";
@@ -24,7 +25,7 @@ import { SettingsForm } from "./settings/settings_form";
 declare global {
   interface Window {
     /** For tests and the console. */
-    boxplus: { model: Model; view: SceneView | null };
+    boxplus: { model: Model; view: SceneView | null; time_line: TimeLinePanel | null };
   }
 }
 
@@ -33,8 +34,10 @@ function main(): void {
   const model = new Model();
   const banners = new Banners(model);
   const view = createView(model, banners);
+  const chart = new Chart(model);
+  const time_line = view && new TimeLinePanel(model, view, chart);
   const connection = new Connection({
-    onMessage: (message) => receive(message, model, view),
+    onMessage: (message) => receive(message, model, view, time_line),
     onConnection: (state) => model.setConnection(state),
   });
   const commands = new Commands(banners);
@@ -44,22 +47,22 @@ function main(): void {
   new RunBar(model, connection, values, commands);
   new SettingsForm(model, values);
   new Guess(model, connection, commands);
-  new Chart(model);
   new Iterations(model);
   new Log(model);
   new Tabs();
-  window.boxplus = { model, view };
+  window.boxplus = { model, view, time_line };
   void connection.run();
 }
 
-function receive(message: Message, model: Model, view: SceneView | null): void {
+function receive(message: Message, model: Model, view: SceneView | null, time_line: TimeLinePanel | null): void {
   if (message.kind === "state") model.apply(message.state);
   if (message.kind === "form") model.setForm(message.form);
   if (message.kind === "structure") {
     view?.setStructure(message.structure);
+    time_line?.setStructure(message.structure);
     setText(byId("hint"), hint(message.structure.dimension));
   }
-  if (message.kind === "frame") view?.setFrame(message.frame);
+  if (message.kind === "frame") time_line?.add(message.frame);
 }
 
 /** Without WebGL 2, the panels work and the picture is missing. */

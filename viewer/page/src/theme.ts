@@ -16,6 +16,8 @@ export interface Theme {
   plot_line: string;
   plot_grid: string;
   plot_text: string;
+  /** The mark in the plot. */
+  mark: string;
 }
 
 export function currentTheme(): Theme {
@@ -35,6 +37,7 @@ export function currentTheme(): Theme {
     plot_line: text("--accent"),
     plot_grid: text("--line"),
     plot_text: text("--dim"),
+    mark: text("--mark"),
   };
 }
 

@@ -89,7 +89,12 @@ export class SceneView {
     this.applyTheme();
   }
 
-  /** chi2 of the newest frame in the picture. */
+  /** The frame in the picture, or in the next one. */
+  get shown(): Frame | null {
+    return this.pending ?? this.frame;
+  }
+
+  /** chi2 of the frame in the picture. */
   get chi2(): number | null {
     return this.frame?.chi2 ?? null;
   }
