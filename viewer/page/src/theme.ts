@@ -2,6 +2,7 @@
 // The colors of the scene and of the plot: the variables of style.css, which has them for dark and for light themes.
 import { Color } from "three";
 import type { EdgeGroup, VertexGroup } from "./protocol/messages";
+import { type Coloring, MOST_CLASSES } from "./scene/coloring";
 
 export interface Theme {
   background: Color;
@@ -13,6 +14,10 @@ export interface Theme {
   loop_closure: Color;
   observation: Color;
   other: Color;
+  /** Colors from low to high values. */
+  ramp: [Color, Color, Color];
+  /** Colors of classes without an order; the last one is for the rest. */
+  distinct: Color[];
   plot_line: string;
   plot_grid: string;
   plot_text: string;
@@ -34,6 +39,8 @@ export function currentTheme(): Theme {
     loop_closure: color("--loop-closure"),
     observation: color("--observation"),
     other: color("--other-edge"),
+    ramp: [color("--ramp-low"), color("--ramp-middle"), color("--ramp-high")],
+    distinct: Array.from({ length: MOST_CLASSES }, (_, i) => color(`--class-${i + 1}`)),
     plot_line: text("--accent"),
     plot_grid: text("--line"),
     plot_text: text("--dim"),
@@ -49,6 +56,16 @@ export function typeColor(theme: Theme, group: VertexGroup | EdgeGroup): Color {
   }
   if (group.shape === "point") return theme.landmark;
   return group.shape === "pose" ? theme.pose : theme.camera;
+}
+
+/** The color of each class. */
+export function classColors({ ramp, distinct }: Theme, { scale, classes }: Coloring): Color[] {
+  if (scale === "distinct") return distinct.slice(0, classes.length);
+  const [low, middle, high] = ramp;
+  return classes.map((_, i) => {
+    const place = classes.length > 1 ? (2 * i) / (classes.length - 1) : 0;
+    return place < 1 ? low.clone().lerp(middle, place) : middle.clone().lerp(high, place - 1);
+  });
 }
 
 export function onThemeChange(observer: () => void): void {

@@ -27,6 +27,21 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     expectEqual((await picture(page)).hash, before.hash);
   });
 
+  await step("colors tell degrees and components, with a legend", async () => {
+    const legend = () => page.locator("#legend .type-row").allInnerTexts();
+    expectEqual((await legend()).length, 0);
+    await page.selectOption("#color-mode", "degree");
+    const degrees = await picture(page);
+    if (degrees.hash === before.hash) fail("the degrees do not change the picture");
+    const counts = (await legend()).map((text) => Number(/(\d+)\s*$/.exec(text)[1]));
+    expectEqual(counts.reduce((sum, each) => sum + each, 0), 125);
+    await page.selectOption("#color-mode", "component");
+    if ((await picture(page)).hash === degrees.hash) fail("the components do not change the picture");
+    expectEqual((await legend()).join().replace(/\s+/g, " ").trim(), "Component 1 125");
+    await page.selectOption("#color-mode", "type");
+    expectEqual((await picture(page)).hash, before.hash);
+  });
+
   await step("the picture is saved as it is seen", async () => {
     await page.click("#picture");
     const { name, bytes } = await downloadFrom(page, () => page.click("#save-picture"));

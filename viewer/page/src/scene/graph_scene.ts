@@ -2,10 +2,12 @@
 // All objects of one structure. Frames change their positions; options and theme change their looks.
 import { Color, Group, Matrix3, Matrix4, Vector3 } from "three";
 import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
-import { type Theme, typeColor } from "../theme";
+import { classColors, type Theme, typeColor } from "../theme";
 import type { Budget } from "./budget";
+import { type Coloring, type ColorMode, coloringOf } from "./coloring";
 import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
 import { Edges } from "./edges";
+import { shared } from "./materials";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
 import { Poses } from "./poses";
@@ -28,6 +30,9 @@ export class GraphScene {
   private readonly fixed: PointCloud;
   private center: Vector3 | null = null;
   private poses_as_axes = false;
+  private color_mode: ColorMode = "type";
+  /** The classes of vertices that have a color each; null if vertices are colored by type. */
+  coloring: Coloring | null = null;
 
   constructor(readonly structure: Structure) {
     this.rotation = new Matrix3().fromArray(structure.leveling).transpose();
@@ -62,6 +67,11 @@ export class GraphScene {
   /** `spacing` is the typical distance between poses. */
   applyOptions(options: DisplayOptions, spacing: number, theme: Theme): void {
     if (options.poses_as_axes !== this.poses_as_axes) this.changeShapes(options.poses_as_axes);
+    if (options.color_mode !== this.color_mode) this.changeColoring(options.color_mode);
+    const uses_classes = this.coloring !== null;
+    if (this.coloring) {
+      classColors(theme, this.coloring).forEach((color, i) => shared.class_colors.value[i]!.copy(color));
+    }
     const styleFor = (group: VertexGroup | EdgeGroup) => {
       const { shown, size, color } = styleOf(options, group);
       return {
@@ -75,8 +85,8 @@ export class GraphScene {
       const { shown, size, color } = styleFor(group);
       part.object.visible = shown;
       part.setSize(isPoint(group) ? size : (group.shape === "pose" ? POSE_SIZE : CAMERA_SIZE) * size * spacing);
-      if (part instanceof Poses) part.setColors(color, theme.fixed);
-      else part.setColor(color);
+      if (part instanceof Poses) part.setColors(color, theme.fixed, uses_classes);
+      else part.setColor(color, uses_classes);
     });
     this.edges.forEach((edges) => {
       const { shown, size, color } = styleFor(edges.group);
@@ -119,6 +129,16 @@ export class GraphScene {
       if (!(group instanceof Poses)) continue;
       this.root.remove(group.setShape(this.shapeOf(group.group, as_axes)));
       this.root.add(group.object);
+    }
+  }
+
+  private changeColoring(mode: ColorMode): void {
+    this.color_mode = mode;
+    this.coloring = coloringOf(this.structure, mode);
+    if (!this.coloring) return;
+    this.vertices.setClasses(this.coloring.of_vertex);
+    for (const group of this.groups) {
+      if (group instanceof Poses) group.updateClasses(this.vertices);
     }
   }
 

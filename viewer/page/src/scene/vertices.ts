@@ -6,6 +6,8 @@ import type { Frame, Structure } from "../protocol/messages";
 export class Vertices {
   readonly count: number;
   readonly positions: BufferAttribute;
+  /** The class of each vertex, which determines its color if materials use classes. */
+  readonly classes: BufferAttribute;
   /** 1 if the vertex has a position and no filter hides it. */
   readonly visible: Uint8Array;
   private readonly placed: Uint8Array;
@@ -14,6 +16,7 @@ export class Vertices {
   constructor(structure: Structure) {
     this.count = structure.fixed.length;
     this.positions = new BufferAttribute(new Float32Array(3 * this.count), 3).setUsage(DynamicDrawUsage);
+    this.classes = new BufferAttribute(new Float32Array(this.count), 1);
     this.visible = new Uint8Array(this.count);
     this.placed = new Uint8Array(this.count);
     this.unfiltered = new Uint8Array(this.count).fill(1);
@@ -43,6 +46,11 @@ export class Vertices {
   filter(first: number, mask: Uint8Array): void {
     this.unfiltered.set(mask, first);
     this.combine();
+  }
+
+  setClasses(of_vertex: Uint8Array): void {
+    (this.classes.array as Float32Array).set(of_vertex);
+    this.classes.needsUpdate = true;
   }
 
   private combine(): void {
