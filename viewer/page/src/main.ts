@@ -17,7 +17,7 @@ import { Tabs } from "./panels/tabs";
 import { TimeLinePanel } from "./panels/time_line_panel";
 import { TopBar } from "./panels/top_bar";
 import { Connection } from "./protocol/connection";
-import type { Message } from "./protocol/messages";
+import type { Frame, Message } from "./protocol/messages";
 import { SceneView } from "./scene/scene_view";
 import { SettingValues } from "./settings/setting_values";
 import { SettingsForm } from "./settings/settings_form";
@@ -62,7 +62,15 @@ function receive(message: Message, model: Model, view: SceneView | null, time_li
     time_line?.setStructure(message.structure);
     setText(byId("hint"), hint(message.structure.dimension));
   }
-  if (message.kind === "frame") time_line?.add(message.frame);
+  if (message.kind === "frame") {
+    time_line?.add(message.frame);
+    if (isInitial(message.frame, model) && view?.knowsInitial === false) view.setInitial(message.frame);
+  }
+}
+
+/** True if the estimates are those of the file. */
+function isInitial({ iteration, chi2 }: Frame, { state }: Model): boolean {
+  return iteration === 0 && chi2 === state?.chi2_initial;
 }
 
 /** Without WebGL 2, the panels work and the picture is missing. */

@@ -10,6 +10,8 @@ export interface Theme {
   camera: Color;
   landmark: Color;
   fixed: Color;
+  /** The estimates of the file, under the current ones. */
+  before: Color;
   odometry: Color;
   loop_closure: Color;
   observation: Color;
@@ -35,6 +37,7 @@ export function currentTheme(): Theme {
     camera: color("--camera"),
     landmark: color("--landmark"),
     fixed: color("--fixed"),
+    before: color("--before"),
     odometry: color("--odometry"),
     loop_closure: color("--loop-closure"),
     observation: color("--observation"),

@@ -66,6 +66,25 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     expectEqual(bytes.subarray(44, 52).toString("hex"), PNG_SIGNATURE);
   });
 
+  await step("the estimates of the file are shown under the current ones", async () => {
+    await page.click("#fit");
+    const without = await picture(page);
+    await page.check("#show-initial");
+    if (!((await picture(page)).drawn > without.drawn)) fail("the picture shows no more than before");
+    await page.uncheck("#show-initial");
+    expectEqual((await picture(page)).hash, without.hash);
+  });
+
+  await step("a page that was reloaded gets the estimates of the file at Reset", async () => {
+    await page.reload();
+    await waitForPicture(page);
+    await page.check("#show-initial");
+    if (!(await page.isVisible("#initial-unknown"))) fail("the page does not say that it does not know them");
+    await page.click("#reset");
+    await waitUntil(page, () => document.querySelector("#initial-unknown").hidden);
+    await page.uncheck("#show-initial");
+  });
+
   await step("a saved camera shows the same picture again", async () => {
     await page.focus("#scene");
     for (const key of ["+", "ArrowLeft", "ArrowUp"]) await page.keyboard.press(key);

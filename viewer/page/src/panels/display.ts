@@ -26,11 +26,14 @@ export class Display {
   private structure: Structure | null = null;
   private graph: GraphScene | null = null;
   private readonly hidden_text = create("p", { id: "hidden-points", className: "dim" });
+  private readonly initial_text = create("p", { id: "initial-unknown", className: "dim" },
+    "This page does not know them any more. Reset brings them back.");
   private readonly legend = create("div", { id: "legend" });
   private readonly reset = create("button", { id: "reset-display", type: "button" }, "Reset to defaults");
 
   constructor(private readonly view: SceneView) {
     view.on_structure = (graph) => this.show(graph);
+    view.on_initial = () => this.updateInitialText();
     view.setOptions(this.options);
     // The theme has other default colors.
     onThemeChange(() => this.structure && this.build(this.structure));
@@ -50,15 +53,13 @@ export class Display {
     this.structure = structure;
     if (!is_known) this.build(structure);
     if (is_new) this.apply();
-    this.updateFilterText();
-    this.updateLegend();
+    this.updateTexts();
   }
 
   private apply(): void {
     this.view.setOptions(this.options);
     storeOptions(this.options);
-    this.updateFilterText();
-    this.updateLegend();
+    this.updateTexts();
   }
 
   private build(structure: Structure): void {
@@ -81,7 +82,7 @@ export class Display {
       typeRow(`vertices-${i}`, structure, group, styleOf(this.options, group), theme));
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
     if (fixed > 0) rows.push(signRow(swatch("ring"), "Fixed", fixed));
-    return rows;
+    return [...rows, ...this.initial()];
   }
 
   private colorMode(): HTMLElement {
@@ -133,11 +134,27 @@ export class Display {
       sizeSlider(`edges-${i}`, structure, group, styleOf(this.options, group)));
   }
 
+  private initial(): HTMLElement[] {
+    const box = checkBox("show-initial", this.options.shows_initial, [swatch("before"), "Estimates of the file"], "",
+      (checked) => (this.options.shows_initial = checked));
+    return [box, this.initial_text];
+  }
+
   private background(theme: Theme): HTMLElement {
     const default_color = `#${theme.background.getHexString()}`;
     const field = colorField("background", "Background", this.options.background, default_color,
       (color) => (this.options.background = color));
     return create("div", { className: "type-row" }, create("span", { className: "check" }, "Background"), field);
+  }
+
+  private updateTexts(): void {
+    this.updateFilterText();
+    this.updateLegend();
+    this.updateInitialText();
+  }
+
+  private updateInitialText(): void {
+    this.initial_text.hidden = !this.options.shows_initial || this.view.knowsInitial;
   }
 
   /** The colors of classes of vertices, and how many vertices have them. */

@@ -3,7 +3,7 @@
 // the picture follows the run.
 import { general } from "../format";
 import type { Model } from "../model";
-import { type Frame, isSameKind, type Structure } from "../protocol/messages";
+import { type Frame, isSameStructure, type Structure } from "../protocol/messages";
 import type { SceneView } from "../scene/scene_view";
 import { type Moment, TimeLine } from "../time_line";
 import type { Chart } from "./chart";
@@ -38,9 +38,8 @@ export class TimeLinePanel {
 
   /** The frames are kept if the structure is the one before, as after a lost connection. */
   setStructure(structure: Structure): void {
-    const is_same = this.structure?.structure === structure.structure && isSameKind(structure, this.structure);
+    if (!isSameStructure(structure, this.structure)) this.line.clear();
     this.structure = structure;
-    if (!is_same) this.line.clear();
   }
 
   add(frame: Frame): void {

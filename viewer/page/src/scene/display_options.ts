@@ -25,6 +25,8 @@ export interface DisplayOptions {
   /** "#rrggbb" instead of the color of the theme. */
   background: string | null;
   poses_as_axes: boolean;
+  /** The estimates of the file, faintly under the current ones. */
+  shows_initial: boolean;
   /** What the colors of vertices tell. */
   color_mode: ColorMode;
   limits: PointLimits;
@@ -35,6 +37,7 @@ export function defaultOptions(): DisplayOptions {
     styles: {},
     background: null,
     poses_as_axes: false,
+    shows_initial: false,
     color_mode: "type",
     limits: { least_track_length: 0, most_error: Infinity },
   };

@@ -7,13 +7,14 @@ import type { Budget } from "./budget";
 import { type Coloring, type ColorMode, coloringOf } from "./coloring";
 import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
 import { Edges } from "./edges";
+import { Ghost } from "./ghost";
 import { shared } from "./materials";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
 import { Poses } from "./poses";
 import type { ShapeName } from "./shapes";
 import { isPoint } from "./statistics";
-import { Vertices } from "./vertices";
+import { membersOf, Vertices } from "./vertices";
 
 const FIXED_PIXELS = 11;
 /** Sizes relative to the typical distance between poses. */
@@ -21,6 +22,8 @@ const POSE_SIZE = 0.45, CAMERA_SIZE = 0.9;
 
 export class GraphScene {
   readonly root = new Group();
+  /** What is at the positions of the last frame. */
+  private readonly current = new Group();
   readonly rotation: Matrix3;
   readonly filter: PointFilter;
   private readonly vertices: Vertices;
@@ -28,6 +31,7 @@ export class GraphScene {
   private readonly groups: (Poses | PointCloud)[];
   private readonly edges: Edges[];
   private readonly fixed: PointCloud;
+  private ghost: Ghost | null = null;
   private center: Vector3 | null = null;
   private poses_as_axes = false;
   private color_mode: ColorMode = "type";
@@ -36,7 +40,8 @@ export class GraphScene {
 
   constructor(readonly structure: Structure) {
     this.rotation = new Matrix3().fromArray(structure.leveling).transpose();
-    this.root.matrixAutoUpdate = false;
+    this.current.matrixAutoUpdate = false;
+    this.root.add(this.current);
     this.vertices = new Vertices(structure);
     this.filter = new PointFilter(structure);
     this.groups = structure.vertices.map((group) => this.createGroup(group));
@@ -45,12 +50,12 @@ export class GraphScene {
     this.fixed.setSize(FIXED_PIXELS);
     for (const part of this.parts()) {
       if (structure.dimension === 2) layInPlane(part);
-      this.root.add(part.object);
+      this.current.add(part.object);
     }
   }
 
   update(frame: Frame): void {
-    this.placeRoot(new Vector3(...frame.center));
+    this.place(this.current, frame);
     const changed = this.vertices.update(frame);
     for (const group of this.groups) {
       if (group instanceof Poses) group.update(frame, this.vertices);
@@ -60,8 +65,24 @@ export class GraphScene {
   }
 
   applyFilter(options: DisplayOptions): void {
-    this.vertices.filter(this.filter.first, this.filter.apply(options.limits));
+    this.filter.apply(options.limits);
+    this.vertices.filter(this.filter.first, this.filter.mask);
+    this.ghost?.filter(this.filter.first, this.filter.mask);
     this.updateVisible();
+  }
+
+  /** Shows other estimates faintly, or none. They get their looks from applyOptions(). */
+  setGhost(frame: Frame | null): void {
+    if (frame === (this.ghost?.frame ?? null)) return;
+    if (this.ghost) {
+      this.root.remove(this.ghost.root);
+      this.ghost.dispose();
+    }
+    this.ghost = frame && new Ghost(this.structure, frame);
+    if (!this.ghost) return;
+    this.place(this.ghost.root, this.ghost.frame);
+    this.ghost.filter(this.filter.first, this.filter.mask);
+    this.root.add(this.ghost.root);
   }
 
   /** `spacing` is the typical distance between poses. */
@@ -95,6 +116,7 @@ export class GraphScene {
       edges.setColor(color);
     });
     this.fixed.setColor(theme.fixed);
+    this.ghost?.applyOptions(theme, (group) => styleFor(group).shown);
   }
 
   /** Where the origin of the scene is in the leveled world. */
@@ -104,14 +126,16 @@ export class GraphScene {
 
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */
   limit(budget: Budget): void {
-    limitParts(this.edges, budget.lines);
+    limitParts([...this.edges, ...(this.ghost?.edges ?? [])], budget.lines);
     limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
-    limitParts(this.groups.filter((group) => group instanceof PointCloud), budget.points);
+    const clouds = this.groups.filter((group) => group instanceof PointCloud);
+    limitParts([...clouds, ...(this.ghost?.points ?? [])], budget.points);
     this.fixed.drawPart(1);
   }
 
   dispose(): void {
     for (const part of this.parts()) part.dispose();
+    this.ghost?.dispose();
   }
 
   private parts(): (Poses | PointCloud | Edges)[] {
@@ -120,15 +144,15 @@ export class GraphScene {
 
   private createGroup(group: VertexGroup): Poses | PointCloud {
     if (!isPoint(group)) return new Poses(group, this.structure, this.shapeOf(group, false));
-    return new PointCloud(Uint32Array.from({ length: group.count }, (_, i) => group.first + i), this.vertices);
+    return new PointCloud(membersOf(group), this.vertices);
   }
 
   private changeShapes(as_axes: boolean): void {
     this.poses_as_axes = as_axes;
     for (const group of this.groups) {
       if (!(group instanceof Poses)) continue;
-      this.root.remove(group.setShape(this.shapeOf(group.group, as_axes)));
-      this.root.add(group.object);
+      this.current.remove(group.setShape(this.shapeOf(group.group, as_axes)));
+      this.current.add(group.object);
     }
   }
 
@@ -153,11 +177,12 @@ export class GraphScene {
   }
 
   /** Positions are relative to the center of their frame, the scene to that of the first frame. */
-  private placeRoot(center: Vector3): void {
+  private place(group: Group, frame: Frame): void {
+    const center = new Vector3(...frame.center);
     this.center ??= center;
     const offset = center.clone().sub(this.center).applyMatrix3(this.rotation);
-    this.root.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
-    this.root.matrixWorldNeedsUpdate = true;
+    group.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
+    group.matrixWorldNeedsUpdate = true;
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
 import { Color, LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
-import { type Frame, isSameKind, type Structure } from "../protocol/messages";
+import { type Frame, isSameKind, isSameStructure, type Structure } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
 import { CameraRig, type CameraState } from "./camera_rig";
@@ -25,6 +25,8 @@ export class SceneView {
   on_structure: (graph: GraphScene) => void = () => {};
   /** Called after a picture of another frame was drawn. */
   on_frame: () => void = () => {};
+  /** Called after the page learned or forgot the estimates of the file. */
+  on_initial: () => void = () => {};
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
@@ -35,6 +37,8 @@ export class SceneView {
   private graph: GraphScene | null = null;
   private frame: Frame | null = null;
   private pending: Frame | null = null;
+  /** The estimates of the file; null if the page does not know them. */
+  private initial: Frame | null = null;
   private fitted: Extent | null = null;
   private spacing = 0;
   /** True until the user moves the camera: the view then follows the graph. */
@@ -58,6 +62,7 @@ export class SceneView {
   /** Keeps the camera if the structure is like the one before, as after a lost connection. */
   setStructure(structure: Structure): void {
     this.keeps_camera = this.graph !== null && this.fitted !== null && isSameKind(structure, this.graph.structure);
+    if (!isSameStructure(structure, this.graph?.structure ?? null)) this.setInitial(null);
     if (this.graph) {
       this.world.remove(this.graph.root);
       this.graph.dispose();
@@ -78,6 +83,17 @@ export class SceneView {
     if (frame.structure !== this.graph?.structure.structure) return;
     this.pending = frame;
     this.requestPicture();
+  }
+
+  /** Takes the estimates of the file, which the options may show under the current ones. */
+  setInitial(frame: Frame | null): void {
+    this.initial = frame;
+    this.on_initial();
+    if (this.options.shows_initial) this.applyTheme();
+  }
+
+  get knowsInitial(): boolean {
+    return this.initial !== null;
   }
 
   setOptions(options: DisplayOptions): void {
@@ -241,6 +257,8 @@ export class SceneView {
     const background = this.options.background === null ? theme.background : new Color(this.options.background);
     this.renderer.setClearColor(background);
     shared.background.value.copy(background);
+    // The ghost is placed relative to the first frame.
+    if (this.frame) this.graph?.setGhost(this.options.shows_initial ? this.initial : null);
     this.graph?.applyOptions(this.options, this.spacing, theme);
     this.requestPicture();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The positions of all vertices, which points and edges share, and which of the vertices are drawn.
 import { BufferAttribute, DynamicDrawUsage } from "three";
-import type { Frame, Structure } from "../protocol/messages";
+import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 
 export class Vertices {
   readonly count: number;
@@ -58,4 +58,9 @@ export class Vertices {
       this.visible[vertex] = this.placed[vertex]! & this.unfiltered[vertex]!;
     }
   }
+}
+
+/** The numbers of the vertices of a type. */
+export function membersOf({ first, count }: VertexGroup): Uint32Array {
+  return Uint32Array.from({ length: count }, (_, i) => first + i);
 }
