@@ -13,6 +13,8 @@ import { Iterations } from "./panels/iterations";
 import { Log } from "./panels/log";
 import { PictureTools } from "./panels/picture_tools";
 import { RunBar } from "./panels/run_bar";
+import { KEYS_WITH_FOCUS, shortcutGroups } from "./panels/shortcut_table";
+import { Shortcuts } from "./panels/shortcuts";
 import { Tabs } from "./panels/tabs";
 import { TimeLinePanel } from "./panels/time_line_panel";
 import { TopBar } from "./panels/top_bar";
@@ -21,6 +23,7 @@ import type { Frame, Message } from "./protocol/messages";
 import { SceneView } from "./scene/scene_view";
 import { SettingValues } from "./settings/setting_values";
 import { SettingsForm } from "./settings/settings_form";
+import { followSystemTheme } from "./theme";
 
 declare global {
   interface Window {
@@ -31,9 +34,12 @@ declare global {
 
 function main(): void {
   ColorManagement.enabled = false;
+  followSystemTheme();
   const model = new Model();
   const banners = new Banners(model);
-  const view = createView(model, banners);
+  const view = createView(banners);
+  const tools = view && new PictureTools(view, model, banners);
+  if (view) new Display(view);
   const chart = new Chart(model);
   const time_line = view && new TimeLinePanel(model, view, chart);
   const connection = new Connection({
@@ -50,6 +56,7 @@ function main(): void {
   new Iterations(model);
   new Log(model);
   new Tabs();
+  new Shortcuts(shortcutGroups(tools, time_line), KEYS_WITH_FOCUS);
   window.boxplus = { model, view, time_line };
   void connection.run();
 }
@@ -74,12 +81,9 @@ function isInitial({ iteration, chi2 }: Frame, { state }: Model): boolean {
 }
 
 /** Without WebGL 2, the panels work and the picture is missing. */
-function createView(model: Model, banners: Banners): SceneView | null {
+function createView(banners: Banners): SceneView | null {
   try {
-    const view = new SceneView(byId<HTMLCanvasElement>("scene"));
-    new Display(view);
-    new PictureTools(view, model, banners);
-    return view;
+    return new SceneView(byId<HTMLCanvasElement>("scene"));
   } catch (error) {
     console.warn(error);
     byId("scene").hidden = true;

@@ -3,6 +3,7 @@
 import { Color } from "three";
 import type { EdgeGroup, VertexGroup } from "./protocol/messages";
 import { type Coloring, MOST_CLASSES } from "./scene/coloring";
+import { store, stored } from "./stored";
 
 export interface Theme {
   background: Color;
@@ -71,6 +72,34 @@ export function classColors({ ramp, distinct }: Theme, { scale, classes }: Color
   });
 }
 
+const dark_system = matchMedia("(prefers-color-scheme: dark)");
+const observers: (() => void)[] = [];
+
 export function onThemeChange(observer: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", observer);
+  observers.push(observer);
+}
+
+/** The page has the theme of the system until the user chooses the other one. */
+export function followSystemTheme(): void {
+  const chosen = stored("theme");
+  setTheme(chosen === "dark" || chosen === "light" ? chosen : systemTheme());
+  dark_system.addEventListener("change", () => {
+    store("theme", null);
+    setTheme(systemTheme());
+  });
+}
+
+export function toggleTheme(): void {
+  const theme = document.documentElement.dataset["theme"] === "dark" ? "light" : "dark";
+  store("theme", theme === systemTheme() ? null : theme);
+  setTheme(theme);
+}
+
+function systemTheme(): "dark" | "light" {
+  return dark_system.matches ? "dark" : "light";
+}
+
+function setTheme(theme: "dark" | "light"): void {
+  document.documentElement.dataset["theme"] = theme;
+  for (const observer of observers) observer();
 }

@@ -3,7 +3,7 @@
 //
 //     node test/view_picture.mjs PATH_TO_BOXPLUS DATA_FOLDER    exit code 77: something is missing, so the test is skipped
 import {
-  dataFile, downloadFrom, expectEqual, fail, openPage, picture, runTest, step, waitForPicture, waitForStatus, waitForText,
+  dataFile, downloadFrom, expectEqual, fail, openPage, picture, pictureAtRest, runTest, step, waitForPicture, waitForStatus, waitForText,
   waitUntil,
 } from "./support.mjs";
 
@@ -35,6 +35,12 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     if (degrees.hash === before.hash) fail("the degrees do not change the picture");
     const counts = (await legend()).map((text) => Number(/(\d+)\s*$/.exec(text)[1]));
     expectEqual(counts.reduce((sum, each) => sum + each, 0), 125);
+    const colors = () => page.locator("#legend .swatch").evaluateAll((signs) => signs.map((sign) => sign.style.background).join());
+    const light_colors = await colors();
+    await page.click("#toggle-theme");
+    if ((await colors()) === light_colors) fail("the legend has the same colors in the dark theme");
+    await page.click("#toggle-theme");
+    expectEqual(await colors(), light_colors);
     await page.selectOption("#color-mode", "component");
     if ((await picture(page)).hash === degrees.hash) fail("the components do not change the picture");
     expectEqual((await legend()).join().replace(/\s+/g, " ").trim(), "Component 1 125");
@@ -108,12 +114,6 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     if (problems.length > 0) fail(problems.join("; "));
   });
 });
-
-/** The picture after the camera stopped. */
-async function pictureAtRest(page) {
-  await waitUntil(page, () => !window.boxplus.view.isMoving);
-  return picture(page);
-}
 
 async function loadCamera(page, name, buffer) {
   const dialog = page.waitForEvent("filechooser");

@@ -75,6 +75,7 @@ export class Display {
     const form = byId("display");
     form.replaceChildren(...parts, this.reset);
     form.oninput = () => this.apply();
+    this.updateTexts();
   }
 
   private vertexRows(structure: Structure, theme: Theme): HTMLElement[] {

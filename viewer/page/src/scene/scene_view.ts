@@ -123,6 +123,16 @@ export class SceneView {
     this.requestPicture();
   }
 
+  /** Shows the whole graph from above, and follows it from now on. */
+  lookFromAbove(): void {
+    this.rig.lookFromAbove();
+    this.fit();
+  }
+
+  zoom(factor: number): void {
+    this.rig.zoom(factor);
+  }
+
   /** Where the camera is in the leveled world; null if nothing is drawn. */
   get camera(): CameraState | null {
     return this.graph && this.frame ? this.rig.state(this.graph.origin) : null;

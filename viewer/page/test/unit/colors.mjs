@@ -12,7 +12,7 @@ function variables(begin) {
   return Object.fromEntries(entries.map(([, name, hex]) => [name, [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)]));
 }
 
-export const THEMES = { light: variables(":root {"), dark: variables("prefers-color-scheme: dark") };
+export const THEMES = { light: variables(":root {"), dark: variables(':root[data-theme="dark"] {') };
 
 function linear(color) {
   return color.map((value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4));
