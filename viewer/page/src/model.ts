@@ -8,6 +8,9 @@ import type { Form, IterationRow, LogLine, RunMessage, StateMessage } from "./pr
 const MOST_LOG_LINES = 5000;
 
 export interface Run {
+  /** Differs from that of the run before. */
+  id: number;
+  /** The server's number of the table; a run gets another one when it ends. */
   number: number;
   rows: IterationRow[];
   status: string;
@@ -26,6 +29,8 @@ export class Model {
   /** The number of the first line in `log`. */
   log_first = 0;
 
+  /** The number of runs that the page saw. */
+  private runs = 0;
   private readonly observers: (() => void)[] = [];
 
   /** Calls the observer after each change. */
@@ -41,7 +46,8 @@ export class Model {
   apply(state: StateMessage): void {
     this.state = state;
     if (state.version !== undefined) this.version = state.version;
-    this.run = state.run && mergedRun(this.run, state.run);
+    if (state.run && !(this.run && isSameRun(this.run, state.run))) ++this.runs;
+    this.run = state.run && mergedRun(this.run, state.run, this.runs);
     this.appendLog(state.log.first, state.log.lines);
     this.notify();
   }
@@ -81,10 +87,16 @@ export class Model {
   }
 }
 
-function mergedRun(known: Run | null, message: RunMessage): Run {
+function mergedRun(known: Run | null, message: RunMessage, id: number): Run {
   const kept = known?.number === message.number ? known.rows.slice(0, message.first_row) : [];
   const { number, status, headline, summary } = message;
-  return { number, status, headline, summary, rows: kept.concat(message.rows) };
+  return { id, number, status, headline, summary, rows: kept.concat(message.rows) };
+}
+
+/** The number grows by one when a run ends, and when the next one begins. */
+function isSameRun(known: Run, { number, status }: RunMessage): boolean {
+  const has_ended = known.status === "running" && status !== "running" && number === known.number + 1;
+  return number === known.number || has_ended;
 }
 
 /** chi2 before the first row and after each row; NaN if it is not finite. */

@@ -2,6 +2,8 @@
 // The colors of the scene and of the plot: the variables of style.css, which has them for dark and for light themes.
 import { Color } from "three";
 import type { EdgeGroup, VertexGroup } from "./protocol/messages";
+import { type Coloring, MOST_CLASSES } from "./scene/coloring";
+import { store, stored } from "./stored";
 
 export interface Theme {
   background: Color;
@@ -9,13 +11,21 @@ export interface Theme {
   camera: Color;
   landmark: Color;
   fixed: Color;
+  /** The estimates of the file, under the current ones. */
+  before: Color;
   odometry: Color;
   loop_closure: Color;
   observation: Color;
   other: Color;
+  /** Colors from low to high values. */
+  ramp: [Color, Color, Color];
+  /** Colors of classes without an order; the last one is for the rest. */
+  distinct: Color[];
   plot_line: string;
   plot_grid: string;
   plot_text: string;
+  /** The mark in the plot. */
+  mark: string;
 }
 
 export function currentTheme(): Theme {
@@ -28,13 +38,17 @@ export function currentTheme(): Theme {
     camera: color("--camera"),
     landmark: color("--landmark"),
     fixed: color("--fixed"),
+    before: color("--before"),
     odometry: color("--odometry"),
     loop_closure: color("--loop-closure"),
     observation: color("--observation"),
     other: color("--other-edge"),
+    ramp: [color("--ramp-low"), color("--ramp-middle"), color("--ramp-high")],
+    distinct: Array.from({ length: MOST_CLASSES }, (_, i) => color(`--class-${i + 1}`)),
     plot_line: text("--accent"),
     plot_grid: text("--line"),
     plot_text: text("--dim"),
+    mark: text("--mark"),
   };
 }
 
@@ -48,6 +62,44 @@ export function typeColor(theme: Theme, group: VertexGroup | EdgeGroup): Color {
   return group.shape === "pose" ? theme.pose : theme.camera;
 }
 
+/** The color of each class. */
+export function classColors({ ramp, distinct }: Theme, { scale, classes }: Coloring): Color[] {
+  if (scale === "distinct") return distinct.slice(0, classes.length);
+  const [low, middle, high] = ramp;
+  return classes.map((_, i) => {
+    const place = classes.length > 1 ? (2 * i) / (classes.length - 1) : 0;
+    return place < 1 ? low.clone().lerp(middle, place) : middle.clone().lerp(high, place - 1);
+  });
+}
+
+const dark_system = matchMedia("(prefers-color-scheme: dark)");
+const observers: (() => void)[] = [];
+
 export function onThemeChange(observer: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", observer);
+  observers.push(observer);
+}
+
+/** The page has the theme of the system until the user chooses the other one. */
+export function followSystemTheme(): void {
+  const chosen = stored("theme");
+  setTheme(chosen === "dark" || chosen === "light" ? chosen : systemTheme());
+  dark_system.addEventListener("change", () => {
+    store("theme", null);
+    setTheme(systemTheme());
+  });
+}
+
+export function toggleTheme(): void {
+  const theme = document.documentElement.dataset["theme"] === "dark" ? "light" : "dark";
+  store("theme", theme === systemTheme() ? null : theme);
+  setTheme(theme);
+}
+
+function systemTheme(): "dark" | "light" {
+  return dark_system.matches ? "dark" : "light";
+}
+
+function setTheme(theme: "dark" | "light"): void {
+  document.documentElement.dataset["theme"] = theme;
+  for (const observer of observers) observer();
 }

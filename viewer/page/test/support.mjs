@@ -141,6 +141,12 @@ export function picture(page) {
   });
 }
 
+/** The picture after the camera stopped. */
+export async function pictureAtRest(page) {
+  await waitUntil(page, () => !window.boxplus.view.isMoving);
+  return picture(page);
+}
+
 async function startBrowser() {
   const playwright = await import("playwright-core").catch(() =>
     skip("node_modules of viewer/page are missing; scripts/page_tools.sh installs them"));

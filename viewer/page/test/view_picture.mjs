@@ -3,7 +3,7 @@
 //
 //     node test/view_picture.mjs PATH_TO_BOXPLUS DATA_FOLDER    exit code 77: something is missing, so the test is skipped
 import {
-  dataFile, downloadFrom, expectEqual, fail, openPage, picture, runTest, step, waitForPicture, waitForStatus, waitForText,
+  dataFile, downloadFrom, expectEqual, fail, openPage, picture, pictureAtRest, runTest, step, waitForPicture, waitForStatus, waitForText,
   waitUntil,
 } from "./support.mjs";
 
@@ -24,6 +24,27 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     await waitForPicture(page);
     expectEqual((await picture(page)).hash, bright.hash);
     await page.click("#reset-display");
+    expectEqual((await picture(page)).hash, before.hash);
+  });
+
+  await step("colors tell degrees and components, with a legend", async () => {
+    const legend = () => page.locator("#legend .type-row").allInnerTexts();
+    expectEqual((await legend()).length, 0);
+    await page.selectOption("#color-mode", "degree");
+    const degrees = await picture(page);
+    if (degrees.hash === before.hash) fail("the degrees do not change the picture");
+    const counts = (await legend()).map((text) => Number(/(\d+)\s*$/.exec(text)[1]));
+    expectEqual(counts.reduce((sum, each) => sum + each, 0), 125);
+    const colors = () => page.locator("#legend .swatch").evaluateAll((signs) => signs.map((sign) => sign.style.background).join());
+    const light_colors = await colors();
+    await page.click("#toggle-theme");
+    if ((await colors()) === light_colors) fail("the legend has the same colors in the dark theme");
+    await page.click("#toggle-theme");
+    expectEqual(await colors(), light_colors);
+    await page.selectOption("#color-mode", "component");
+    if ((await picture(page)).hash === degrees.hash) fail("the components do not change the picture");
+    expectEqual((await legend()).join().replace(/\s+/g, " ").trim(), "Component 1 125");
+    await page.selectOption("#color-mode", "type");
     expectEqual((await picture(page)).hash, before.hash);
   });
 
@@ -51,6 +72,25 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     expectEqual(bytes.subarray(44, 52).toString("hex"), PNG_SIGNATURE);
   });
 
+  await step("the estimates of the file are shown under the current ones", async () => {
+    await page.click("#fit");
+    const without = await picture(page);
+    await page.check("#show-initial");
+    if (!((await picture(page)).drawn > without.drawn)) fail("the picture shows no more than before");
+    await page.uncheck("#show-initial");
+    expectEqual((await picture(page)).hash, without.hash);
+  });
+
+  await step("a page that was reloaded gets the estimates of the file at Reset", async () => {
+    await page.reload();
+    await waitForPicture(page);
+    await page.check("#show-initial");
+    if (!(await page.isVisible("#initial-unknown"))) fail("the page does not say that it does not know them");
+    await page.click("#reset");
+    await waitUntil(page, () => document.querySelector("#initial-unknown").hidden);
+    await page.uncheck("#show-initial");
+  });
+
   await step("a saved camera shows the same picture again", async () => {
     await page.focus("#scene");
     for (const key of ["+", "ArrowLeft", "ArrowUp"]) await page.keyboard.press(key);
@@ -74,12 +114,6 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     if (problems.length > 0) fail(problems.join("; "));
   });
 });
-
-/** The picture after the camera stopped. */
-async function pictureAtRest(page) {
-  await waitUntil(page, () => !window.boxplus.view.isMoving);
-  return picture(page);
-}
 
 async function loadCamera(page, name, buffer) {
   const dialog = page.waitForEvent("filechooser");

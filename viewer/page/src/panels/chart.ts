@@ -8,6 +8,8 @@ import { byId, create } from "./dom";
 
 /** The factor from the least to the largest chi2 above which the scale is logarithmic. */
 const LARGE_FACTOR = 10;
+/** In pixels of the style sheet. */
+const MARK_RADIUS = 4.5;
 
 export class Chart {
   private readonly place = byId("chart");
@@ -15,12 +17,26 @@ export class Chart {
   private plot: uPlot | null = null;
   private is_logarithmic = false;
   private shown_rows: unknown = null;
+  private marked: number | null = null;
+  /** Called with the iteration that the user clicked. */
+  on_choose: (iteration: number) => void = () => {};
 
   constructor(private readonly model: Model) {
     this.place.append(this.nothing);
     model.observe(() => this.update());
     onThemeChange(() => this.rebuild());
+    this.place.addEventListener("click", () => {
+      const iteration = this.plot?.cursor.idx;
+      if (typeof iteration === "number") this.on_choose(iteration);
+    });
     new ResizeObserver(() => this.plot?.setSize(this.size())).observe(this.place);
+  }
+
+  /** Marks an iteration, or none. */
+  mark(iteration: number | null): void {
+    if (iteration === this.marked) return;
+    this.marked = iteration;
+    this.plot?.redraw(false, false);
   }
 
   private update(): void {
@@ -56,6 +72,27 @@ export class Chart {
     return [sequence.map((_, i) => i), sequence.map((value) => (Number.isFinite(value) ? value : null))];
   }
 
+  private drawMark(plot: uPlot): void {
+    const value = this.marked === null ? null : plot.data[1]![this.marked];
+    if (this.marked === null || value === undefined) return;
+    const { ctx, bbox } = plot;
+    const { mark } = currentTheme();
+    const x = plot.valToPos(this.marked, "x", true);
+    ctx.save();
+    ctx.strokeStyle = ctx.fillStyle = mark;
+    ctx.lineWidth = devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    if (value !== null) {
+      ctx.beginPath();
+      ctx.arc(x, plot.valToPos(value, "y", true), MARK_RADIUS * devicePixelRatio, 0, 2 * Math.PI);
+      ctx.fill();
+    }
+    ctx.restore();
+  }
+
   private size() {
     return { width: this.place.clientWidth - 10, height: this.place.clientHeight };
   }
@@ -69,6 +106,7 @@ export class Chart {
     return {
       ...this.size(),
       legend: { show: false },
+      hooks: { draw: [(plot) => this.drawMark(plot)] },
       cursor: { y: false, drag: { x: false, y: false } },
       padding: [10, 10, 0, 0],
       scales: {

@@ -30,6 +30,18 @@ export function checkBox(
     create("span", { className: "type" }, details));
 }
 
+/** A list of which one value is chosen; `names` are what the user reads. */
+export function choice<T extends string>(
+  id: string, label: string, value: T, names: Record<T, string>, take: (value: T) => void,
+): HTMLElement {
+  const options = (Object.keys(names) as T[]).map((each) => create("option", { value: each }, names[each]));
+  const list = create("select", { id }, ...options);
+  list.setAttribute("aria-label", label);
+  list.value = value;
+  list.addEventListener("input", () => take(list.value as T));
+  return list;
+}
+
 /**
  * A field for a color, with a button that goes back to the default. `take` gets null for the
  * default.

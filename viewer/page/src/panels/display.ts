@@ -3,14 +3,20 @@
 import { count, counted, general } from "../format";
 import { isSameKind, type Structure } from "../protocol/messages";
 import { type DisplayOptions, defaultOptions, styleOf } from "../scene/display_options";
+import type { ColorMode } from "../scene/coloring";
 import type { GraphScene } from "../scene/graph_scene";
 import type { SceneView } from "../scene/scene_view";
 import { storedOptions, storeOptions } from "../scene/stored_options";
-import { currentTheme, onThemeChange, type Theme } from "../theme";
-import { checkBox, colorField, fieldset, lineNumber, slider, swatch } from "./controls";
+import { classColors, currentTheme, onThemeChange, type Theme } from "../theme";
+import { checkBox, choice, colorField, fieldset, lineNumber, slider, swatch } from "./controls";
 import { byId, create, setText } from "./dom";
 import { sizeSlider, typeRow } from "./type_rows";
 
+const COLOR_MODE_NAMES: Record<ColorMode, string> = {
+  type: "Type",
+  degree: "Degree (number of edges)",
+  component: "Connected component",
+};
 const MOST_TRACK_LENGTH = 20;
 /** The slider of errors is logarithmic: powers of 10. */
 const LEAST_ERROR_EXPONENT = -1, MOST_ERROR_EXPONENT = 2;
@@ -20,10 +26,14 @@ export class Display {
   private structure: Structure | null = null;
   private graph: GraphScene | null = null;
   private readonly hidden_text = create("p", { id: "hidden-points", className: "dim" });
+  private readonly initial_text = create("p", { id: "initial-unknown", className: "dim" },
+    "This page does not know them any more. Reset brings them back.");
+  private readonly legend = create("div", { id: "legend" });
   private readonly reset = create("button", { id: "reset-display", type: "button" }, "Reset to defaults");
 
   constructor(private readonly view: SceneView) {
     view.on_structure = (graph) => this.show(graph);
+    view.on_initial = () => this.updateInitialText();
     view.setOptions(this.options);
     // The theme has other default colors.
     onThemeChange(() => this.structure && this.build(this.structure));
@@ -43,18 +53,19 @@ export class Display {
     this.structure = structure;
     if (!is_known) this.build(structure);
     if (is_new) this.apply();
-    this.updateFilterText();
+    this.updateTexts();
   }
 
   private apply(): void {
     this.view.setOptions(this.options);
     storeOptions(this.options);
-    this.updateFilterText();
+    this.updateTexts();
   }
 
   private build(structure: Structure): void {
     const theme = currentTheme();
     const parts = [fieldset("Vertices", this.vertexRows(structure, theme))];
+    parts.push(fieldset("Color of vertices", [this.colorMode(), this.legend]));
     if (structure.edges.length > 0) parts.push(fieldset("Edges", this.edgeRows(structure, theme)));
     if (structure.is_bundle && structure.vertices.some(({ shape }) => shape === "point"))
       parts.push(fieldset("Points", this.pointLimits()));
@@ -64,17 +75,20 @@ export class Display {
     const form = byId("display");
     form.replaceChildren(...parts, this.reset);
     form.oninput = () => this.apply();
+    this.updateTexts();
   }
 
   private vertexRows(structure: Structure, theme: Theme): HTMLElement[] {
     const rows = structure.vertices.map((group, i) =>
       typeRow(`vertices-${i}`, structure, group, styleOf(this.options, group), theme));
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
-    if (fixed > 0) {
-      const sign = create("span", { className: "check" }, swatch("ring"), "Fixed");
-      rows.push(create("div", { className: "type-row" }, sign, lineNumber(fixed), create("span", { className: "color" })));
-    }
-    return rows;
+    if (fixed > 0) rows.push(signRow(swatch("ring"), "Fixed", fixed));
+    return [...rows, ...this.initial()];
+  }
+
+  private colorMode(): HTMLElement {
+    return choice("color-mode", "Color of vertices", this.options.color_mode, COLOR_MODE_NAMES,
+      (mode) => (this.options.color_mode = mode));
   }
 
   private edgeRows(structure: Structure, theme: Theme): HTMLElement[] {
@@ -121,11 +135,46 @@ export class Display {
       sizeSlider(`edges-${i}`, structure, group, styleOf(this.options, group)));
   }
 
+  private initial(): HTMLElement[] {
+    const box = checkBox("show-initial", this.options.shows_initial, [swatch("before"), "Estimates of the file"], "",
+      (checked) => (this.options.shows_initial = checked));
+    return [box, this.initial_text];
+  }
+
   private background(theme: Theme): HTMLElement {
     const default_color = `#${theme.background.getHexString()}`;
     const field = colorField("background", "Background", this.options.background, default_color,
       (color) => (this.options.background = color));
     return create("div", { className: "type-row" }, create("span", { className: "check" }, "Background"), field);
+  }
+
+  private updateTexts(): void {
+    this.updateFilterText();
+    this.updateLegend();
+    this.updateInitialText();
+  }
+
+  private updateInitialText(): void {
+    this.initial_text.hidden = !this.options.shows_initial || this.view.knowsInitial;
+  }
+
+  /** The colors of classes of vertices, and how many vertices have them. */
+  private updateLegend(): void {
+    const coloring = this.graph?.coloring;
+    this.legend.hidden = !coloring;
+    if (!coloring) return;
+    const colors = classColors(currentTheme(), coloring);
+    const rows = coloring.classes.map(({ name, count: vertices }, i) => {
+      const sign = swatch("dot");
+      sign.style.background = `#${colors[i]!.getHexString()}`;
+      return signRow(sign, name, vertices);
+    });
+    const { left_out } = this.structure!;
+    const notes = [
+      ...(left_out > 0 ? ["Edges that are not drawn do not count."] : []),
+      ...(this.options.poses_as_axes ? ["Axes keep their own colors."] : []),
+    ];
+    this.legend.replaceChildren(...rows, ...notes.map((note) => create("p", { className: "dim" }, note)));
   }
 
   private updateFilterText(): void {
@@ -136,4 +185,10 @@ export class Display {
       (hidden === 0 ? `All ${count(total)} points pass.` : `Hides ${count(hidden)} of ${count(total)} points.`) +
       (is_waiting ? " The errors of points are not known yet." : ""));
   }
+}
+
+/** A line that explains a sign of the picture. */
+function signRow(sign: HTMLElement, name: string, vertices: number): HTMLElement {
+  return create("div", { className: "type-row" }, create("span", { className: "check" }, sign, name), lineNumber(vertices),
+    create("span", { className: "color" }));
 }

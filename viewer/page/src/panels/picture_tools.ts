@@ -12,35 +12,40 @@ import { Recorder } from "./recorder";
 /** A camera has some hundred bytes. */
 const MOST_CAMERA_BYTES = 10_000;
 
+const ZOOM_FACTOR = 1.25;
+
 export class PictureTools {
   constructor(private readonly view: SceneView, private readonly model: Model, private readonly banners: Banners) {
     byId("fit").addEventListener("click", () => view.fit());
-    byId("scene").addEventListener("keydown", ({ key, ctrlKey, metaKey, altKey }) => {
-      if (["f", "F", "Home"].includes(key) && !ctrlKey && !metaKey && !altKey) view.fit();
-    });
+    byId("from-above").addEventListener("click", () => view.lookFromAbove());
+    byId("zoom-in").addEventListener("click", () => view.zoom(ZOOM_FACTOR));
+    byId("zoom-out").addEventListener("click", () => view.zoom(1 / ZOOM_FACTOR));
     new Recorder(view, () => this.stem(), (text) => banners.showNotice(text));
     const camera_input = byId<HTMLInputElement>("camera-input");
     new Menu(byId("picture"), () => [
-      { id: "save-picture", text: "Save picture (PNG)", choose: () => void this.savePicture() },
+      { id: "save-picture", text: "Save picture (PNG)", choose: () => this.savePicture() },
       { id: "save-camera", text: "Save camera", choose: () => this.saveCamera() },
       {
         id: "load-camera", text: "Load camera…",
         choose: () => askForFile(camera_input, (file) => void this.loadCamera(file)),
       },
     ]);
-    model.observe(() => (byId("tools").hidden = !model.state?.file));
+    model.observe(() => {
+      const file = model.state?.file;
+      byId("tools").hidden = !file;
+      byId("from-above").hidden = file?.dimension === 2;
+    });
   }
 
   private stem(): string {
     return stem(this.model.state?.file?.name ?? "");
   }
 
-  private async savePicture(): Promise<void> {
-    try {
-      download(await this.view.png(), `${this.stem()}.png`);
-    } catch (error) {
-      this.banners.showCommandError(`The picture was not saved: ${(error as Error).message}`);
-    }
+  savePicture(): void {
+    this.view.png().then(
+      (png) => download(png, `${this.stem()}.png`),
+      (error: Error) => this.banners.showCommandError(`The picture was not saved: ${error.message}`),
+    );
   }
 
   private saveCamera(): void {

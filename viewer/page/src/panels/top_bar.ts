@@ -2,6 +2,7 @@
 // The bar at the top: file, counts, chi2, and what the server does.
 import { counted, general } from "../format";
 import type { Model } from "../model";
+import { toggleTheme } from "../theme";
 import { byId, setText } from "./dom";
 
 /** The number of digits of chi2, as in the reports of the command. */
@@ -10,6 +11,7 @@ const CHI2_DIGITS = 9;
 export class TopBar {
   constructor(private readonly model: Model) {
     model.observe(() => this.update());
+    byId("toggle-theme").addEventListener("click", toggleTheme);
     byId("toggle-panel").addEventListener("click", () => {
       const is_hidden = document.body.classList.toggle("no-panel");
       byId("toggle-panel").setAttribute("aria-expanded", String(!is_hidden));

@@ -97,6 +97,11 @@ export function isSameKind(a: Structure, b: Structure): boolean {
   return kind(a) === kind(b);
 }
 
+/** True if frames of one structure belong to the other one, too, as after a lost connection. */
+export function isSameStructure(a: Structure, b: Structure | null): boolean {
+  return b !== null && a.structure === b.structure && isSameKind(a, b);
+}
+
 export interface Frame {
   structure: number;
   sequence: number;

@@ -6,6 +6,10 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Extent } from "./statistics";
 
 const FIELD_OF_VIEW = 40;
+/** In pixels of the picture at each press of a key. */
+const KEY_PAN_SPEED = 30, KEY_ROTATE_SPEED = 10;
+/** Looking straight down, a small slope determines which way is up in the picture. */
+const FROM_ABOVE = new Vector3(0, -1e-4, 1).normalize();
 /** The graph takes this part of the window. */
 const FILLED = 0.9;
 
@@ -28,9 +32,7 @@ export class CameraRig {
   /** `on_move` is called whenever the user moved the camera, `on_release` when a button or finger is up again. */
   constructor(
     private readonly canvas: HTMLCanvasElement, private readonly on_move: () => void, private readonly on_release: () => void,
-  ) {
-    canvas.addEventListener("keydown", (event) => this.zoomByKey(event));
-  }
+  ) {}
 
   /** Begins anew, with a camera that looks along `direction`. */
   reset(is_flat: boolean, direction: Vector3): void {
@@ -49,7 +51,8 @@ export class CameraRig {
     } else {
       this.controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN };
     }
-    this.controls.keyPanSpeed = 30;
+    this.controls.keyPanSpeed = KEY_PAN_SPEED;
+    this.controls.keyRotateSpeed = KEY_ROTATE_SPEED;
     this.controls.listenToKeyEvents(this.canvas);
     this.controls.addEventListener("start", () => (this.isHeld = true));
     this.controls.addEventListener("end", () => {
@@ -88,6 +91,22 @@ export class CameraRig {
       this.place(...fitPerspective(sample, center, backward, this.camera.up, this.aspect));
     }
     this.setDepthRange(radius);
+  }
+
+  zoom(factor: number): void {
+    if (!this.controls) return;
+    if (this.camera instanceof OrthographicCamera) {
+      this.camera.zoom *= factor;
+      this.camera.updateProjectionMatrix();
+    } else {
+      this.camera.position.sub(this.controls.target).divideScalar(factor).add(this.controls.target);
+    }
+    this.controls.update();
+  }
+
+  /** Looks down with y up, at the same point. */
+  lookFromAbove(): void {
+    if (this.controls && !this.is_flat) this.place(this.controls.target.clone(), FROM_ABOVE, this.distance);
   }
 
   /** `origin` is where the scene's origin is in the coordinates of the state. */
@@ -136,19 +155,6 @@ export class CameraRig {
     camera.bottom = -0.5 * height;
     camera.right = 0.5 * height * this.aspect;
     camera.left = -camera.right;
-  }
-
-  private zoomByKey(event: KeyboardEvent): void {
-    const factor = event.key === "+" || event.key === "=" ? 1.25 : event.key === "-" ? 0.8 : 0;
-    if (factor === 0 || !this.controls || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    if (this.camera instanceof OrthographicCamera) {
-      this.camera.zoom *= factor;
-      this.camera.updateProjectionMatrix();
-    } else {
-      this.camera.position.sub(this.controls.target).divideScalar(factor).add(this.controls.target);
-    }
-    this.controls.update();
   }
 }
 

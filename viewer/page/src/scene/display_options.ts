@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the user may choose about the picture.
 import type { EdgeGroup, Structure, VertexGroup } from "../protocol/messages";
+import type { ColorMode } from "./coloring";
 import type { PointLimits } from "./point_filter";
 import { isPoint } from "./statistics";
 
@@ -24,6 +25,10 @@ export interface DisplayOptions {
   /** "#rrggbb" instead of the color of the theme. */
   background: string | null;
   poses_as_axes: boolean;
+  /** The estimates of the file, faintly under the current ones. */
+  shows_initial: boolean;
+  /** What the colors of vertices tell. */
+  color_mode: ColorMode;
   limits: PointLimits;
 }
 
@@ -32,6 +37,8 @@ export function defaultOptions(): DisplayOptions {
     styles: {},
     background: null,
     poses_as_axes: false,
+    shows_initial: false,
+    color_mode: "type",
     limits: { least_track_length: 0, most_error: Infinity },
   };
 }

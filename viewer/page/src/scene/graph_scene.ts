@@ -2,16 +2,19 @@
 // All objects of one structure. Frames change their positions; options and theme change their looks.
 import { Color, Group, Matrix3, Matrix4, Vector3 } from "three";
 import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
-import { type Theme, typeColor } from "../theme";
+import { classColors, type Theme, typeColor } from "../theme";
 import type { Budget } from "./budget";
+import { type Coloring, type ColorMode, coloringOf } from "./coloring";
 import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
 import { Edges } from "./edges";
+import { Ghost } from "./ghost";
+import { shared } from "./materials";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
 import { Poses } from "./poses";
 import type { ShapeName } from "./shapes";
 import { isPoint } from "./statistics";
-import { Vertices } from "./vertices";
+import { membersOf, Vertices } from "./vertices";
 
 const FIXED_PIXELS = 11;
 /** Sizes relative to the typical distance between poses. */
@@ -19,6 +22,8 @@ const POSE_SIZE = 0.45, CAMERA_SIZE = 0.9;
 
 export class GraphScene {
   readonly root = new Group();
+  /** What is at the positions of the last frame. */
+  private readonly current = new Group();
   readonly rotation: Matrix3;
   readonly filter: PointFilter;
   private readonly vertices: Vertices;
@@ -26,12 +31,17 @@ export class GraphScene {
   private readonly groups: (Poses | PointCloud)[];
   private readonly edges: Edges[];
   private readonly fixed: PointCloud;
+  private ghost: Ghost | null = null;
   private center: Vector3 | null = null;
   private poses_as_axes = false;
+  private color_mode: ColorMode = "type";
+  /** The classes of vertices that have a color each; null if vertices are colored by type. */
+  coloring: Coloring | null = null;
 
   constructor(readonly structure: Structure) {
     this.rotation = new Matrix3().fromArray(structure.leveling).transpose();
-    this.root.matrixAutoUpdate = false;
+    this.current.matrixAutoUpdate = false;
+    this.root.add(this.current);
     this.vertices = new Vertices(structure);
     this.filter = new PointFilter(structure);
     this.groups = structure.vertices.map((group) => this.createGroup(group));
@@ -40,12 +50,12 @@ export class GraphScene {
     this.fixed.setSize(FIXED_PIXELS);
     for (const part of this.parts()) {
       if (structure.dimension === 2) layInPlane(part);
-      this.root.add(part.object);
+      this.current.add(part.object);
     }
   }
 
   update(frame: Frame): void {
-    this.placeRoot(new Vector3(...frame.center));
+    this.place(this.current, frame);
     const changed = this.vertices.update(frame);
     for (const group of this.groups) {
       if (group instanceof Poses) group.update(frame, this.vertices);
@@ -55,13 +65,34 @@ export class GraphScene {
   }
 
   applyFilter(options: DisplayOptions): void {
-    this.vertices.filter(this.filter.first, this.filter.apply(options.limits));
+    this.filter.apply(options.limits);
+    this.vertices.filter(this.filter.first, this.filter.mask);
+    this.ghost?.filter(this.filter.first, this.filter.mask);
     this.updateVisible();
+  }
+
+  /** Shows other estimates faintly, or none. They get their looks from applyOptions(). */
+  setGhost(frame: Frame | null): void {
+    if (frame === (this.ghost?.frame ?? null)) return;
+    if (this.ghost) {
+      this.root.remove(this.ghost.root);
+      this.ghost.dispose();
+    }
+    this.ghost = frame && new Ghost(this.structure, frame);
+    if (!this.ghost) return;
+    this.place(this.ghost.root, this.ghost.frame);
+    this.ghost.filter(this.filter.first, this.filter.mask);
+    this.root.add(this.ghost.root);
   }
 
   /** `spacing` is the typical distance between poses. */
   applyOptions(options: DisplayOptions, spacing: number, theme: Theme): void {
     if (options.poses_as_axes !== this.poses_as_axes) this.changeShapes(options.poses_as_axes);
+    if (options.color_mode !== this.color_mode) this.changeColoring(options.color_mode);
+    const uses_classes = this.coloring !== null;
+    if (this.coloring) {
+      classColors(theme, this.coloring).forEach((color, i) => shared.class_colors.value[i]!.copy(color));
+    }
     const styleFor = (group: VertexGroup | EdgeGroup) => {
       const { shown, size, color } = styleOf(options, group);
       return {
@@ -75,8 +106,8 @@ export class GraphScene {
       const { shown, size, color } = styleFor(group);
       part.object.visible = shown;
       part.setSize(isPoint(group) ? size : (group.shape === "pose" ? POSE_SIZE : CAMERA_SIZE) * size * spacing);
-      if (part instanceof Poses) part.setColors(color, theme.fixed);
-      else part.setColor(color);
+      if (part instanceof Poses) part.setColors(color, theme.fixed, uses_classes);
+      else part.setColor(color, uses_classes);
     });
     this.edges.forEach((edges) => {
       const { shown, size, color } = styleFor(edges.group);
@@ -85,6 +116,7 @@ export class GraphScene {
       edges.setColor(color);
     });
     this.fixed.setColor(theme.fixed);
+    this.ghost?.applyOptions(theme, (group) => styleFor(group).shown);
   }
 
   /** Where the origin of the scene is in the leveled world. */
@@ -94,14 +126,16 @@ export class GraphScene {
 
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */
   limit(budget: Budget): void {
-    limitParts(this.edges, budget.lines);
+    limitParts([...this.edges, ...(this.ghost?.edges ?? [])], budget.lines);
     limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
-    limitParts(this.groups.filter((group) => group instanceof PointCloud), budget.points);
+    const clouds = this.groups.filter((group) => group instanceof PointCloud);
+    limitParts([...clouds, ...(this.ghost?.points ?? [])], budget.points);
     this.fixed.drawPart(1);
   }
 
   dispose(): void {
     for (const part of this.parts()) part.dispose();
+    this.ghost?.dispose();
   }
 
   private parts(): (Poses | PointCloud | Edges)[] {
@@ -110,15 +144,25 @@ export class GraphScene {
 
   private createGroup(group: VertexGroup): Poses | PointCloud {
     if (!isPoint(group)) return new Poses(group, this.structure, this.shapeOf(group, false));
-    return new PointCloud(Uint32Array.from({ length: group.count }, (_, i) => group.first + i), this.vertices);
+    return new PointCloud(membersOf(group), this.vertices);
   }
 
   private changeShapes(as_axes: boolean): void {
     this.poses_as_axes = as_axes;
     for (const group of this.groups) {
       if (!(group instanceof Poses)) continue;
-      this.root.remove(group.setShape(this.shapeOf(group.group, as_axes)));
-      this.root.add(group.object);
+      this.current.remove(group.setShape(this.shapeOf(group.group, as_axes)));
+      this.current.add(group.object);
+    }
+  }
+
+  private changeColoring(mode: ColorMode): void {
+    this.color_mode = mode;
+    this.coloring = coloringOf(this.structure, mode);
+    if (!this.coloring) return;
+    this.vertices.setClasses(this.coloring.of_vertex);
+    for (const group of this.groups) {
+      if (group instanceof Poses) group.updateClasses(this.vertices);
     }
   }
 
@@ -133,11 +177,12 @@ export class GraphScene {
   }
 
   /** Positions are relative to the center of their frame, the scene to that of the first frame. */
-  private placeRoot(center: Vector3): void {
+  private place(group: Group, frame: Frame): void {
+    const center = new Vector3(...frame.center);
     this.center ??= center;
     const offset = center.clone().sub(this.center).applyMatrix3(this.rotation);
-    this.root.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
-    this.root.matrixWorldNeedsUpdate = true;
+    group.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
+    group.matrixWorldNeedsUpdate = true;
   }
 }
 

@@ -2,6 +2,7 @@
 // The shaders of the scene. Colors are those of the style sheet, so nothing converts color spaces. In 3-D, what is farther
 // away fades into the background.
 import { Color, DoubleSide, GLSL3, ShaderMaterial } from "three";
+import { MOST_CLASSES } from "./coloring";
 
 /** Uniforms that all materials share. The view sets them before each picture. */
 export const shared = {
@@ -11,6 +12,7 @@ export const shared = {
   fade_far: { value: 1 },
   fade: { value: 0 },
   pixel_ratio: { value: 1 },
+  class_colors: { value: Array.from({ length: MOST_CLASSES }, () => new Color()) },
 };
 
 const FADE = `
@@ -19,6 +21,12 @@ const FADE = `
   vec3 faded(vec3 color, float depth) {
     return mix(color, background, fade * clamp((depth - fade_near) / (fade_far - fade_near), 0.0, 1.0));
   }`;
+
+/** The color of a vertex: that of its class if `uses_classes` is 1. */
+const CLASS = `
+  uniform vec3 class_colors[${MOST_CLASSES}];
+  uniform float uses_classes;
+  vec3 classed(vec3 color, float vertex_class) { return mix(color, class_colors[int(vertex_class)], uses_classes); }`;
 
 const OUTPUT = "layout(location = 0) out highp vec4 pixel;";
 
@@ -49,27 +57,32 @@ export function lineMaterial(): ShaderMaterial {
 export function pointMaterial(is_ring: boolean): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
-    uniforms: { ...shared, color: { value: new Color() }, size: { value: 2 } },
+    uniforms: { ...shared, color: { value: new Color() }, size: { value: 2 }, uses_classes: { value: 0 } },
     vertexShader: `
+      ${CLASS}
+      uniform vec3 color;
       uniform float size, pixel_ratio;
+      in float vertex_class;
+      out vec3 tinted;
       out float depth;
       void main() {
         vec4 place = modelViewMatrix * vec4(position, 1.0);
         depth = -place.z;
         gl_Position = projectionMatrix * place;
         gl_PointSize = size * pixel_ratio;
+        tinted = classed(color, vertex_class);
       }`,
     fragmentShader: `
       ${OUTPUT}
       ${FADE}
-      uniform vec3 color;
       uniform float size;
+      in vec3 tinted;
       in float depth;
       void main() {
         float radius = 2.0 * length(gl_PointCoord - 0.5);
         if (size > 2.0 && radius > 1.0) discard;
         ${is_ring ? "if (radius < 0.6) discard;" : ""}
-        pixel = vec4(faded(color, depth), 1.0);
+        pixel = vec4(faded(tinted, depth), 1.0);
       }`,
   });
 }
@@ -79,13 +92,16 @@ export function instanceMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
     side: DoubleSide,
-    uniforms: { ...shared, color: { value: new Color() }, fixed_color: { value: new Color() }, size: { value: 1 } },
+    uniforms: {
+      ...shared, color: { value: new Color() }, fixed_color: { value: new Color() }, size: { value: 1 }, uses_classes: { value: 0 },
+    },
     vertexShader: `
+      ${CLASS}
       uniform float size;
       uniform vec3 color, fixed_color;
       in vec3 tint, instance_position;
       in vec4 instance_orientation;
-      in float instance_visible, instance_fixed;
+      in float instance_visible, instance_fixed, instance_class;
       out vec3 tinted;
       out float depth;
       vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
@@ -93,7 +109,7 @@ export function instanceMaterial(): ShaderMaterial {
         vec3 offset = instance_visible * size * rotated(instance_orientation, position);
         vec4 place = modelViewMatrix * vec4(instance_position + offset, 1.0);
         depth = -place.z;
-        tinted = tint * mix(color, fixed_color, instance_fixed);
+        tinted = tint * classed(mix(color, fixed_color, instance_fixed), instance_class);
         gl_Position = projectionMatrix * place;
       }`,
     fragmentShader: `

@@ -15,7 +15,8 @@ export class PointFilter {
   hidden = 0;
   /** The last errors that the server sent; none are sent during a run. */
   errors: Float32Array | null = null;
-  private readonly mask: Uint8Array;
+  /** The result of the last apply(): a number for each point, 1 if it is shown. */
+  readonly mask: Uint8Array;
 
   constructor(private readonly structure: Structure) {
     const points = structure.vertices.filter(isPoint);
@@ -28,8 +29,8 @@ export class PointFilter {
     return this.structure.track_lengths?.reduce((most, length) => Math.max(most, length), 0) ?? 0;
   }
 
-  /** Returns a number for each point: 1 if it is shown. */
-  apply(limits: PointLimits): Uint8Array {
+  /** Determines `mask`. */
+  apply(limits: PointLimits): void {
     const lengths = this.structure.track_lengths;
     this.hidden = 0;
     for (let point = 0; point < this.count; ++point) {
@@ -38,6 +39,5 @@ export class PointFilter {
       this.mask[point] = is_short || is_bad ? 0 : 1;
       this.hidden += 1 - this.mask[point]!;
     }
-    return this.mask;
   }
 }

@@ -17,6 +17,7 @@ export class PointCloud {
     const geometry = new BufferGeometry();
     this.index = new BufferAttribute(new Uint32Array(members.length), 1).setUsage(DynamicDrawUsage);
     geometry.setAttribute("position", vertices.positions);
+    geometry.setAttribute("vertex_class", vertices.classes);
     geometry.setIndex(this.index);
     this.object = new Points(geometry, pointMaterial(is_ring));
     this.object.frustumCulled = false;
@@ -46,8 +47,10 @@ export class PointCloud {
     this.object.material.uniforms["size"]!.value = pixels;
   }
 
-  setColor(color: Color): void {
+  /** If it uses classes, vertices have the colors of their classes instead. */
+  setColor(color: Color, uses_classes = false): void {
     this.object.material.uniforms["color"]!.value.copy(color);
+    this.object.material.uniforms["uses_classes"]!.value = Number(uses_classes);
   }
 
   dispose(): void {

@@ -16,10 +16,12 @@ export class Poses {
   private readonly orientations: InstancedBufferAttribute;
   private readonly visible: InstancedBufferAttribute;
   private readonly fixed: InstancedBufferAttribute;
+  private readonly classes: InstancedBufferAttribute;
   /** The order of the vertices in the attributes. */
   private readonly order: Uint32Array;
   private readonly color = new Color();
   private readonly fixed_color = new Color();
+  private uses_classes = false;
 
   constructor(readonly group: VertexGroup, structure: Structure, private shape: ShapeName) {
     const { first, count } = group;
@@ -30,6 +32,7 @@ export class Poses {
     this.orientations = attribute(4);
     this.visible = attribute(1);
     this.fixed = attribute(1);
+    this.classes = attribute(1);
     gather(structure.fixed, this.order, this.fixed);
     this.object = this.build();
   }
@@ -54,6 +57,10 @@ export class Poses {
     gather(vertices.visible, this.order, this.visible);
   }
 
+  updateClasses(vertices: Vertices): void {
+    gather(vertices.classes.array, this.order, this.classes);
+  }
+
   /** The number of poses that are drawn if the budget allows it. */
   get drawableCount(): number {
     return this.object.visible ? this.group.count : 0;
@@ -68,9 +75,11 @@ export class Poses {
     this.material.uniforms["size"]!.value = size;
   }
 
-  setColors(color: Color, fixed_color: Color): void {
+  /** If it uses classes, vertices have the colors of their classes instead. */
+  setColors(color: Color, fixed_color: Color, uses_classes: boolean): void {
     this.color.copy(color);
     this.fixed_color.copy(fixed_color);
+    this.uses_classes = uses_classes;
     this.applyColors();
   }
 
@@ -81,10 +90,11 @@ export class Poses {
 
   /** Axes have colors of their own. */
   private applyColors(): void {
-    const { color, fixed_color } = this.material.uniforms;
+    const { color, fixed_color, uses_classes } = this.material.uniforms;
     const white = new Color(1, 1, 1);
     color!.value.copy(this.shape === "axes" ? white : this.color);
     fixed_color!.value.copy(this.shape === "axes" ? white : this.fixed_color);
+    uses_classes!.value = Number(this.uses_classes && this.shape !== "axes");
   }
 
   private build(): Poses["object"] {
@@ -94,6 +104,7 @@ export class Poses {
     geometry.setAttribute("instance_orientation", this.orientations);
     geometry.setAttribute("instance_visible", this.visible);
     geometry.setAttribute("instance_fixed", this.fixed);
+    geometry.setAttribute("instance_class", this.classes);
     const object = shapeIsLines(this.shape)
       ? new LineSegments(geometry, this.material)
       : new Mesh(geometry, this.material);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
 import { Color, LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
-import { type Frame, isSameKind, type Structure } from "../protocol/messages";
+import { type Frame, isSameKind, isSameStructure, type Structure } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
 import { CameraRig, type CameraState } from "./camera_rig";
@@ -25,6 +25,8 @@ export class SceneView {
   on_structure: (graph: GraphScene) => void = () => {};
   /** Called after a picture of another frame was drawn. */
   on_frame: () => void = () => {};
+  /** Called after the page learned or forgot the estimates of the file. */
+  on_initial: () => void = () => {};
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
@@ -35,6 +37,8 @@ export class SceneView {
   private graph: GraphScene | null = null;
   private frame: Frame | null = null;
   private pending: Frame | null = null;
+  /** The estimates of the file; null if the page does not know them. */
+  private initial: Frame | null = null;
   private fitted: Extent | null = null;
   private spacing = 0;
   /** True until the user moves the camera: the view then follows the graph. */
@@ -58,6 +62,7 @@ export class SceneView {
   /** Keeps the camera if the structure is like the one before, as after a lost connection. */
   setStructure(structure: Structure): void {
     this.keeps_camera = this.graph !== null && this.fitted !== null && isSameKind(structure, this.graph.structure);
+    if (!isSameStructure(structure, this.graph?.structure ?? null)) this.setInitial(null);
     if (this.graph) {
       this.world.remove(this.graph.root);
       this.graph.dispose();
@@ -80,6 +85,17 @@ export class SceneView {
     this.requestPicture();
   }
 
+  /** Takes the estimates of the file, which the options may show under the current ones. */
+  setInitial(frame: Frame | null): void {
+    this.initial = frame;
+    this.on_initial();
+    if (this.options.shows_initial) this.applyTheme();
+  }
+
+  get knowsInitial(): boolean {
+    return this.initial !== null;
+  }
+
   setOptions(options: DisplayOptions): void {
     const filters = this.options.limits;
     const { least_track_length, most_error } = options.limits;
@@ -89,7 +105,12 @@ export class SceneView {
     this.applyTheme();
   }
 
-  /** chi2 of the newest frame in the picture. */
+  /** The frame in the picture, or in the next one. */
+  get shown(): Frame | null {
+    return this.pending ?? this.frame;
+  }
+
+  /** chi2 of the frame in the picture. */
   get chi2(): number | null {
     return this.frame?.chi2 ?? null;
   }
@@ -100,6 +121,16 @@ export class SceneView {
     this.fitted = null;
     this.followGraph();
     this.requestPicture();
+  }
+
+  /** Shows the whole graph from above, and follows it from now on. */
+  lookFromAbove(): void {
+    this.rig.lookFromAbove();
+    this.fit();
+  }
+
+  zoom(factor: number): void {
+    this.rig.zoom(factor);
   }
 
   /** Where the camera is in the leveled world; null if nothing is drawn. */
@@ -236,6 +267,8 @@ export class SceneView {
     const background = this.options.background === null ? theme.background : new Color(this.options.background);
     this.renderer.setClearColor(background);
     shared.background.value.copy(background);
+    // The ghost is placed relative to the first frame.
+    if (this.frame) this.graph?.setGhost(this.options.shows_initial ? this.initial : null);
     this.graph?.applyOptions(this.options, this.spacing, theme);
     this.requestPicture();
   }

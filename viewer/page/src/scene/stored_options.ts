@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The display options over a reload. What is stored may be of another version of the page, so each value is checked.
 import { asRecord, store, stored } from "../stored";
+import { COLOR_MODES } from "./coloring";
 import { type DisplayOptions, defaultOptions, type TypeStyle } from "./display_options";
 
 export function storeOptions(options: DisplayOptions): void {
@@ -10,10 +11,12 @@ export function storeOptions(options: DisplayOptions): void {
 
 export function storedOptions(): DisplayOptions {
   const options = defaultOptions();
-  const { styles, background, poses_as_axes, limits } = asRecord(stored("display"));
+  const { styles, background, poses_as_axes, shows_initial, color_mode, limits } = asRecord(stored("display"));
   for (const [name, style] of Object.entries(asRecord(styles))) options.styles[name] = checkedStyle(asRecord(style));
   if (isColor(background)) options.background = background;
   options.poses_as_axes = poses_as_axes === true;
+  options.shows_initial = shows_initial === true;
+  options.color_mode = COLOR_MODES.find((mode) => mode === color_mode) ?? "type";
   const { least_track_length, most_error } = asRecord(limits);
   if (isSize(least_track_length)) options.limits.least_track_length = least_track_length;
   if (isSize(most_error)) options.limits.most_error = most_error;

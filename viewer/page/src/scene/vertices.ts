@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The positions of all vertices, which points and edges share, and which of the vertices are drawn.
 import { BufferAttribute, DynamicDrawUsage } from "three";
-import type { Frame, Structure } from "../protocol/messages";
+import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 
 export class Vertices {
   readonly count: number;
   readonly positions: BufferAttribute;
+  /** The class of each vertex, which determines its color if materials use classes. */
+  readonly classes: BufferAttribute;
   /** 1 if the vertex has a position and no filter hides it. */
   readonly visible: Uint8Array;
   private readonly placed: Uint8Array;
@@ -14,6 +16,7 @@ export class Vertices {
   constructor(structure: Structure) {
     this.count = structure.fixed.length;
     this.positions = new BufferAttribute(new Float32Array(3 * this.count), 3).setUsage(DynamicDrawUsage);
+    this.classes = new BufferAttribute(new Float32Array(this.count), 1);
     this.visible = new Uint8Array(this.count);
     this.placed = new Uint8Array(this.count);
     this.unfiltered = new Uint8Array(this.count).fill(1);
@@ -45,9 +48,19 @@ export class Vertices {
     this.combine();
   }
 
+  setClasses(of_vertex: Uint8Array): void {
+    (this.classes.array as Float32Array).set(of_vertex);
+    this.classes.needsUpdate = true;
+  }
+
   private combine(): void {
     for (let vertex = 0; vertex < this.count; ++vertex) {
       this.visible[vertex] = this.placed[vertex]! & this.unfiltered[vertex]!;
     }
   }
+}
+
+/** The numbers of the vertices of a type. */
+export function membersOf({ first, count }: VertexGroup): Uint32Array {
+  return Uint32Array.from({ length: count }, (_, i) => first + i);
 }

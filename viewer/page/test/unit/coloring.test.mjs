@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests of src/scene/coloring.ts and of the colors of classes, without a browser.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { contrast, leastDifference, THEMES } from "./colors.mjs";
+import { load } from "./load.mjs";
+
+const { coloringOf, MOST_CLASSES } = await load("src/scene/coloring.ts");
+
+function structure(vertices, ...edges) {
+  return { fixed: new Uint8Array(vertices), lines: Uint32Array.from(edges.flat()) };
+}
+
+test("by type, there are no classes", () => {
+  assert.equal(coloringOf(structure(2, [0, 1]), "type"), null);
+});
+
+test("the degree of a vertex is the number of its edges", () => {
+  const { classes, of_vertex } = coloringOf(structure(5, [0, 1], [1, 2], [1, 3], [0, 1]), "degree");
+  assert.deepEqual(classes, [
+    { name: "0", count: 1 }, { name: "1", count: 2 }, { name: "2", count: 1 }, { name: "4", count: 1 },
+  ]);
+  assert.deepEqual([...of_vertex], [2, 3, 1, 1, 0]);
+});
+
+test("high degrees are classes of several degrees up to the largest", () => {
+  const star = (degree) => structure(degree + 1, ...Array.from({ length: degree }, (_, i) => [0, i + 1]));
+  assert.deepEqual(coloringOf(star(8), "degree").classes.map(({ name }) => name), ["1", "5–8"]);
+  assert.deepEqual(coloringOf(star(17), "degree").classes.map(({ name }) => name), ["1", "17"]);
+  assert.deepEqual(coloringOf(star(1200), "degree").classes.map(({ name }) => name), ["1", "17–1,200"]);
+});
+
+test("components are sorted by size", () => {
+  const { classes, of_vertex } = coloringOf(structure(6, [0, 4], [5, 1], [2, 3], [3, 5]), "component");
+  assert.deepEqual(classes, [{ name: "Component 1", count: 4 }, { name: "Component 2", count: 2 }]);
+  assert.deepEqual([...of_vertex], [1, 0, 0, 0, 1, 0]);
+});
+
+test("components beyond the number of colors are one class", () => {
+  const { classes, of_vertex } = coloringOf(structure(11, [9, 10]), "component");
+  assert.equal(classes.length, MOST_CLASSES);
+  assert.deepEqual(classes.at(0), { name: "Component 1", count: 2 });
+  assert.deepEqual(classes.at(-1), { name: "3 others", count: 3 });
+  assert.equal(of_vertex.filter((i) => i === MOST_CLASSES - 1).length, 3);
+});
+
+test("a path of many vertices in any order is one component", () => {
+  const count = 20_000;
+  const edges = Array.from({ length: count - 1 }, (_, i) => [i + 1, i]).reverse();
+  assert.deepEqual(coloringOf(structure(count, ...edges), "component").classes, [{ name: "Component 1", count }]);
+});
+
+for (const [name, theme] of Object.entries(THEMES)) {
+  const classes = Array.from({ length: MOST_CLASSES }, (_, i) => theme[`class-${i + 1}`]);
+  const ramp = ["low", "middle", "high"].map((place) => theme[`ramp-${place}`]);
+
+  test(`color-blind people can tell the components apart in the ${name} theme`, () => {
+    for (let i = 0; i < MOST_CLASSES; ++i) {
+      for (let k = 0; k < i; ++k) {
+        const difference = leastDifference(classes[i], classes[k]);
+        assert.ok(difference > 20, `--class-${k + 1} and --class-${i + 1} differ by ${difference.toFixed(1)}`);
+      }
+    }
+  });
+
+  test(`color-blind people see the order of degrees in the ${name} theme`, () => {
+    const contrasts = ramp.map((color) => contrast(color, theme.scene));
+    assert.ok(contrasts[0] * 1.5 < contrasts[1] && contrasts[1] * 1.5 < contrasts[2], `the contrasts are ${contrasts}`);
+  });
+
+  test(`the colors of classes stand out from the ${name} background`, () => {
+    for (const color of [...classes, ...ramp]) assert.ok(contrast(color, theme.scene) >= 3, `${color}`);
+  });
+}
