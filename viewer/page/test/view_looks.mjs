@@ -6,7 +6,7 @@ import { dataFile, fail, openPage, runTest, step, waitForStatus } from "./suppor
 import { contrast } from "./unit/colors.mjs";
 
 /** Width, height and pixels per unit of length. */
-const WINDOWS = [[1280, 720, 1], [1280, 720, 2], [3840, 2160, 1]];
+const WINDOWS = [[900, 600, 1], [1280, 720, 1], [1280, 720, 2], [3840, 2160, 1]];
 const LEAST_TEXT = 4.5, LEAST_BORDER = 3;
 
 await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
@@ -61,7 +61,8 @@ function hiddenControls() {
   return shown.filter((element) => {
     const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
     if (width === 0 || height === 0) return false;
-    const is_cut_off = element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1;
+    const has_ellipsis = getComputedStyle(element).textOverflow === "ellipsis";
+    const is_cut_off = !has_ellipsis && element.clientWidth > 0 && element.scrollWidth > element.clientWidth + 1;
     if (left < 0 || top < 0 || right > innerWidth || bottom > innerHeight || is_cut_off) return true;
     if (getComputedStyle(element).pointerEvents === "none") return false;
     const on_top = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
