@@ -10,7 +10,7 @@ const MOST_LOG_LINES = 5000;
 export interface Run {
   /** Differs from that of the run before. */
   id: number;
-  /** The server's number of the table; a run gets another one when it ends. */
+  /** The server's number of the table; a run gets another one when it ends or begins anew. */
   number: number;
   rows: IterationRow[];
   status: string;
@@ -93,10 +93,9 @@ function mergedRun(known: Run | null, message: RunMessage, id: number): Run {
   return { id, number, status, headline, summary, rows: kept.concat(message.rows) };
 }
 
-/** The number grows by one when a run ends, and when the next one begins. */
-function isSameRun(known: Run, { number, status }: RunMessage): boolean {
-  const has_ended = known.status === "running" && status !== "running" && number === known.number + 1;
-  return number === known.number || has_ended;
+/** The number grows by one when a run ends, begins anew from another start, and when the next run begins. */
+function isSameRun(known: Run, { number }: RunMessage): boolean {
+  return number === known.number || (known.status === "running" && number === known.number + 1);
 }
 
 /** The place of an iteration in chi2Sequence(). During a run, the rows of an attempt that it gave up may come before. */

@@ -98,6 +98,15 @@ test("the end of a run belongs to it, though the number of its table changes", (
   assert.deepEqual(runIds([1, "running"], [1, "running"], [2, "converged"]), [1, 1, 1]);
 });
 
+test("a run that begins anew from another start is the same run", () => {
+  assert.deepEqual(runIds([1, "running"], [2, "running"], [3, "converged"], [4, "running"]), [1, 1, 1, 2]);
+});
+
+test("a run after one whose end the page did not see is another one", () => {
+  assert.deepEqual(runIds([1, "running"], [3, "running"]), [1, 2]);
+  assert.deepEqual(runIds([1, "ended"], [2, "running"]), [1, 2]);
+});
+
 test("a run that ended before the page saw it run is another one", () => {
   assert.deepEqual(runIds([2, "converged"], [4, "converged"], [7, "running"]), [1, 2, 3]);
 });
