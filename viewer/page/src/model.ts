@@ -99,6 +99,18 @@ function isSameRun(known: Run, { number, status }: RunMessage): boolean {
   return number === known.number || has_ended;
 }
 
+/** The place of an iteration in chi2Sequence(). During a run, the rows of an attempt that it gave up may come before. */
+export function placeOf(iteration: number, rows: IterationRow[]): number {
+  let place = rows.length;
+  while (place > 0 && rows[place - 1]!.iteration !== iteration) --place;
+  return place;
+}
+
+/** The iteration at a place in chi2Sequence(). */
+export function iterationAt(place: number, rows: IterationRow[]): number {
+  return rows[place - 1]?.iteration ?? 0;
+}
+
 /** chi2 before the first row and after each row; NaN if it is not finite. */
 export function chi2Sequence(run: Run, chi2_initial: number | null): number[] {
   const first = run.rows[0];

@@ -86,8 +86,8 @@ export async function waitUntil(page, condition, argument) {
 }
 
 /** A page that notes each error and each request to another host in `problems`. */
-export async function openPage(browser, url) {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+export async function openPage(browser, url, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, ...options });
   const problems = [];
   page.setDefaultTimeout(PATIENCE_MS);
   page.on("console", (message) => {

@@ -3,8 +3,8 @@
 //
 //     node test/view_keys.mjs PATH_TO_BOXPLUS DATA_FOLDER       exit code 77: something is missing, so the test is skipped
 import {
-  dataFile, downloadFrom, expectEqual, fail, openPage, picture, pictureAtRest, runTest, step, textOf, waitForPicture, waitForStatus,
-  waitForText,
+  dataFile, downloadFrom, expectEqual, fail, openPage, picture, pictureAtRest, runTest, step, textOf, waitForPicture,
+  waitForStatus, waitForText,
 } from "./support.mjs";
 
 await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {

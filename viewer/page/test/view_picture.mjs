@@ -3,8 +3,8 @@
 //
 //     node test/view_picture.mjs PATH_TO_BOXPLUS DATA_FOLDER    exit code 77: something is missing, so the test is skipped
 import {
-  dataFile, downloadFrom, expectEqual, fail, openPage, picture, pictureAtRest, runTest, step, waitForPicture, waitForStatus, waitForText,
-  waitUntil,
+  dataFile, downloadFrom, expectEqual, fail, openPage, picture, pictureAtRest, runTest, step, waitForPicture, waitForStatus,
+  waitForText, waitUntil,
 } from "./support.mjs";
 
 const PNG_SIGNATURE = "89504e470d0a1a0a";
@@ -35,7 +35,8 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
     if (degrees.hash === before.hash) fail("the degrees do not change the picture");
     const counts = (await legend()).map((text) => Number(/(\d+)\s*$/.exec(text)[1]));
     expectEqual(counts.reduce((sum, each) => sum + each, 0), 125);
-    const colors = () => page.locator("#legend .swatch").evaluateAll((signs) => signs.map((sign) => sign.style.background).join());
+    const colors = () => page.locator("#legend .swatch").evaluateAll((signs) =>
+      signs.map((sign) => sign.style.background).join());
     const light_colors = await colors();
     await page.click("#toggle-theme");
     if ((await colors()) === light_colors) fail("the legend has the same colors in the dark theme");

@@ -9,7 +9,8 @@ import { byId, create } from "./dom";
 /** The factor from the least to the largest chi2 above which the scale is logarithmic. */
 const LARGE_FACTOR = 10;
 /** In pixels of the style sheet. */
-const MARK_RADIUS = 4.5;
+const MARK_RADIUS = 4.5, LEAST_AXIS_WIDTH = 58, LABEL_GAP = 12, DIGIT_WIDTH = 6.8;
+const MOST_DIGITS = 13;
 
 export class Chart {
   private readonly place = byId("chart");
@@ -18,24 +19,24 @@ export class Chart {
   private is_logarithmic = false;
   private shown_rows: unknown = null;
   private marked: number | null = null;
-  /** Called with the iteration that the user clicked. */
-  on_choose: (iteration: number) => void = () => {};
+  /** Called with the place in chi2Sequence() that the user clicked. */
+  on_choose: (place: number) => void = () => {};
 
   constructor(private readonly model: Model) {
     this.place.append(this.nothing);
     model.observe(() => this.update());
     onThemeChange(() => this.rebuild());
     this.place.addEventListener("click", () => {
-      const iteration = this.plot?.cursor.idx;
-      if (typeof iteration === "number") this.on_choose(iteration);
+      const place = this.plot?.cursor.idx;
+      if (typeof place === "number") this.on_choose(place);
     });
     new ResizeObserver(() => this.plot?.setSize(this.size())).observe(this.place);
   }
 
-  /** Marks an iteration, or none. */
-  mark(iteration: number | null): void {
-    if (iteration === this.marked) return;
-    this.marked = iteration;
+  /** Marks a place in chi2Sequence(), or none. */
+  mark(place: number | null): void {
+    if (place === this.marked) return;
+    this.marked = place;
     this.plot?.redraw(false, false);
   }
 
@@ -117,7 +118,7 @@ export class Chart {
         { ...axis, size: 24, gap: 2, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] },
         {
           ...axis,
-          size: 58,
+          size: (_, values) => axisWidth(values),
           gap: 4,
           filter: labeled,
           grid: { ...axis.grid, filter: labeled },
@@ -134,11 +135,17 @@ function linearRange(least: number, most: number): [number, number] {
   return [least - margin, most + margin];
 }
 
+/** As much as the longest label needs. uPlot asks before there are labels, too. */
+function axisWidth(values: (string | null)[] | null): number {
+  const longest = Math.max(0, ...(values ?? []).map((value) => value?.length ?? 0));
+  return Math.max(LEAST_AXIS_WIDTH, LABEL_GAP + DIGIT_WIDTH * longest);
+}
+
 /** The values, with as many digits as their differences need. */
 function labels(splits: (number | null)[], increment: number): string[] {
   const most = Math.max(...splits.map((value) => Math.abs(value ?? 0)));
   const digits = increment > 0 && most > 0 ? Math.ceil(Math.log10(most / increment)) + 1 : 0;
-  return splits.map((value) => (value === null ? "" : general(value, Math.min(10, Math.max(5, digits)))));
+  return splits.map((value) => (value === null ? "" : general(value, Math.min(MOST_DIGITS, Math.max(5, digits)))));
 }
 
 /** Of the values of a logarithmic axis, the powers of 10; also 2 and 5 times them if the axis is short. */

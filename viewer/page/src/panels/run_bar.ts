@@ -26,7 +26,8 @@ export class RunBar {
     enable("step", hasGraph && !isBusy && state!.can_step);
     enable("stop", connection.connected && isBusy);
     enable("reset", hasGraph && !isBusy);
-    setText(byId("headline"), run?.headline ?? "");
+    // A unit stays on the line of its number.
+    setText(byId("headline"), (run?.headline ?? "").replace(/ s$/, "\u00a0s"));
     byId("outcome").hidden = !run?.headline && !run?.summary;
     byId("show-report").hidden = !run?.summary;
     setText(byId("summary"), run?.summary ?? "");

@@ -2,8 +2,8 @@
 // The bar under the picture: chooses which iteration of the run is in the picture, and plays all of them. At its right end,
 // the picture follows the run.
 import { general } from "../format";
-import type { Model } from "../model";
-import { type Frame, isSameStructure, type Structure } from "../protocol/messages";
+import { iterationAt, type Model, placeOf } from "../model";
+import { type Frame, isSameStructure, type IterationRow, type Structure } from "../protocol/messages";
 import type { SceneView } from "../scene/scene_view";
 import { type Moment, TimeLine } from "../time_line";
 import type { Chart } from "./chart";
@@ -29,9 +29,9 @@ export class TimeLinePanel {
       this.goTo(this.slider.valueAsNumber);
     });
     this.play_button.addEventListener("click", () => this.togglePlay());
-    chart.on_choose = (iteration) => {
+    chart.on_choose = (place) => {
       this.pause();
-      this.goTo(this.indexOf(iteration));
+      this.goTo(this.indexOf(iterationAt(place, this.rows)));
     };
     model.observe(() => this.update());
   }
@@ -43,7 +43,7 @@ export class TimeLinePanel {
   }
 
   add(frame: Frame): void {
-    this.line.add(frame, this.model.run?.rows.length ?? 0);
+    this.line.add(frame, this.rows.length);
     this.show();
   }
 
@@ -62,6 +62,10 @@ export class TimeLinePanel {
       this.play_timer = window.setInterval(() => this.playOn(), interval);
     }
     this.show();
+  }
+
+  private get rows(): IterationRow[] {
+    return this.model.run?.rows ?? [];
   }
 
   private get last(): number {
@@ -122,7 +126,7 @@ export class TimeLinePanel {
     this.slider.max = String(Math.max(1, last));
     this.slider.value = String(last < 1 ? 1 : index);
     this.showTexts(moment);
-    this.chart.mark(last < 1 ? null : moment.iteration);
+    this.chart.mark(last < 1 ? null : placeOf(moment.iteration, this.rows));
   }
 
   private showTexts({ iteration, frame }: Moment): void {

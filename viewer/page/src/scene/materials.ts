@@ -93,7 +93,8 @@ export function instanceMaterial(): ShaderMaterial {
     glslVersion: GLSL3,
     side: DoubleSide,
     uniforms: {
-      ...shared, color: { value: new Color() }, fixed_color: { value: new Color() }, size: { value: 1 }, uses_classes: { value: 0 },
+      ...shared, color: { value: new Color() }, fixed_color: { value: new Color() }, size: { value: 1 },
+      uses_classes: { value: 0 },
     },
     vertexShader: `
       ${CLASS}

@@ -5,7 +5,7 @@ import test from "node:test";
 import { load } from "./load.mjs";
 
 const { TimeLine } = await load("src/time_line.ts");
-const { Model } = await load("src/model.ts");
+const { iterationAt, Model, placeOf } = await load("src/model.ts");
 
 const BYTES = 12;
 
@@ -76,6 +76,12 @@ test("frames of attempts that the run gave up are forgotten", () => {
   const line = lineOf(frame(0), frame(1, 70), frame(2, 60), frame(3, 50));
   line.settle([{ chi2: 80 }, { chi2: 60 }, { chi2: 50 }]);
   assert.deepEqual(iterations(line), [0, 2, 3]);
+});
+
+test("an iteration is where it came last, after those of attempts that were given up", () => {
+  const rows = [1, 2, 1, 2, 3].map((iteration) => ({ iteration }));
+  assert.deepEqual([0, 1, 2, 3].map((iteration) => placeOf(iteration, rows)), [0, 3, 4, 5]);
+  assert.deepEqual([0, 1, 2, 3, 4, 5].map((place) => iterationAt(place, rows)), [0, 1, 2, 1, 2, 3]);
 });
 
 /** The ids of the runs after messages with these numbers and statuses; null is a state without a run. */

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contrast of the colors of style.css, as WCAG 2.2 (level AA) wants it: 4.5 for text, 3 for borders and signs.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { contrast, THEMES } from "./colors.mjs";
+
+const BACKGROUNDS = ["back", "raised", "scene"];
+const TEXTS = ["text", "dim", "accent", "good", "bad", "warn", "mark"];
+/** Borders of controls, the ring around what has the focus, and signs of the legend. */
+const SIGNS = [
+  "edge", "accent", "bad", "pose", "camera", "landmark", "fixed", "odometry", "loop-closure", "observation", "other-edge",
+];
+
+for (const [name, theme] of Object.entries(THEMES)) {
+  const check = (color, background, least) => {
+    const found = contrast(theme[color], theme[background]);
+    assert.ok(found >= least, `the contrast of --${color} on --${background} is ${found.toFixed(2)}`);
+  };
+
+  test(`texts can be read in the ${name} theme`, () => {
+    for (const color of TEXTS) for (const background of BACKGROUNDS) check(color, background, 4.5);
+    check("on-accent", "accent", 4.5);
+    check("bad", "bad-back", 4.5);
+  });
+
+  test(`controls and signs can be seen in the ${name} theme`, () => {
+    for (const color of SIGNS) for (const background of BACKGROUNDS) check(color, background, 3);
+  });
+}
+
+test("the contrast of black and white is 21", () => {
+  assert.equal(contrast([0, 0, 0], [1, 1, 1]).toFixed(3), "21.000");
+});
