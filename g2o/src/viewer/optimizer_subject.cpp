@@ -121,7 +121,7 @@ IterationRecord IterationRows::next(int iteration) {
   record.chi2_decrease = std::exchange(chi2_, record.chi2) - record.chi2;
   record.tries = 1;
   record.time_s = get_monotonic_time() - begin_s_;
-  if (auto* levenberg = dynamic_cast<OptimizationAlgorithmLevenberg*>(optimizer_.algorithm())) {
+  if (auto* levenberg = dynamic_cast<OptimizationAlgorithmLevenberg*>(optimizer_.solver())) {
     record.lambda = levenberg->currentLambda();
     record.tries = levenberg->levenbergIteration();
   }
