@@ -22,17 +22,6 @@
 #include "plugins.h"
 #include "prepare.h"
 
-G2O_USE_TYPE_GROUP(slam2d)
-G2O_USE_TYPE_GROUP(slam3d)
-G2O_USE_OPTIMIZATION_LIBRARY(eigen)
-G2O_USE_OPTIMIZATION_LIBRARY(dense)
-G2O_USE_OPTIMIZATION_LIBRARY(pcg)
-G2O_USE_OPTIMIZATION_LIBRARY(structure_only)
-G2O_USE_OPTIMIZATION_LIBRARY(slam2d_linear)
-// The library of an algorithm, because solver_eigen also has weak symbols for these two libraries.
-G2O_USE_OPTIMIZATION_ALGORITHM(lm_var_cholmod)
-G2O_USE_OPTIMIZATION_ALGORITHM(lm_var_csparse)
-
 namespace g2o_tool {
 namespace {
 

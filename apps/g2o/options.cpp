@@ -8,8 +8,15 @@
 namespace g2o_tool {
 namespace {
 
-/// Removes every "-name value" from the arguments and returns the values. CommandArgs cannot do this, because
-/// it accepts each parameter only once.
+/// Prints a message and ends the program if a number is not in its range.
+void require(bool in_range, const char* name, const char* expected) {
+  if (in_range) return;
+  std::cerr << "parameter -" << name << ": expected " << expected << '\n';
+  std::exit(EXIT_FAILURE);
+}
+
+}  // namespace
+
 std::vector<std::string> take_repeated(std::vector<std::string>& arguments, const std::string& name) {
   std::vector<std::string> values;
   for (size_t i = 1; i + 1 < arguments.size();) {
@@ -23,15 +30,6 @@ std::vector<std::string> take_repeated(std::vector<std::string>& arguments, cons
   }
   return values;
 }
-
-/// Prints a message and ends the program if a number is not in its range.
-void require(bool in_range, const char* name, const char* expected) {
-  if (in_range) return;
-  std::cerr << "parameter -" << name << ": expected " << expected << '\n';
-  std::exit(EXIT_FAILURE);
-}
-
-}  // namespace
 
 Options read_options(int argc, char** argv) {
   Options o;

@@ -34,6 +34,10 @@ struct Options {
   std::string input;
 };
 
+/// Removes every "-name value" from the arguments and returns the values. CommandArgs cannot do this, because
+/// it accepts each parameter only once.
+std::vector<std::string> take_repeated(std::vector<std::string>& arguments, const std::string& name);
+
 /// Reads the command line. Ends the program with the help if the user asked for it, or if the command line is
 /// wrong.
 Options read_options(int argc, char** argv);

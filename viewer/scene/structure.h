@@ -17,7 +17,8 @@ enum class Shape : std::uint8_t {
   kPose,
   kCamera,      ///< a camera that looks along z of its frame
   kCameraBack,  ///< a camera that looks along −z of its frame
-  kPoint
+  kPoint,
+  kCorner  ///< only the end of lines
 };
 
 /// The drawn vertices of one pool. Their numbers are first, first + 1, …, in the order of `slots`.
@@ -26,6 +27,7 @@ struct VertexGroup {
   Shape shape;
   std::uint32_t pool, first;
   std::vector<std::uint32_t> slots;
+  std::string color = {};  ///< the default color, as #rrggbb; empty: that of the page
 };
 
 /// The lines of the edges of one type and role: pairs first, first + 1, … of Structure::lines.
@@ -33,6 +35,7 @@ struct LineGroup {
   std::string name;
   EdgeRole role;
   std::uint32_t first, count;
+  std::string color = {};  ///< as for vertices
 };
 
 struct Structure {
@@ -40,7 +43,7 @@ struct Structure {
   int dimension = 2;           ///< 3 if any vertex is in space
   bool is_bundle = false;
   std::array<double, 9> leveling{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  /// Poses and cameras, then points. A type that is neither a pose nor a point is not drawn.
+  /// Poses and cameras, then points, then corners. A type that is neither a pose nor a point is not drawn.
   std::vector<VertexGroup> vertices;
   std::vector<LineGroup> line_groups;
   /// The numbers of the two vertices of each line. An edge with n drawn vertices has n − 1 lines, all from

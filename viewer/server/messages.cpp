@@ -6,9 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "boxplus/io/file_format.h"
-#include "viewer/settings/setting_table.h"
-
 namespace boxplus::viewer {
 namespace {
 
@@ -79,6 +76,8 @@ const char* name_of(Shape shape) {
       return "camera";
     case Shape::kCameraBack:
       return "camera back";
+    case Shape::kCorner:
+      return "corner";
     default:
       return "point";
   }
@@ -97,11 +96,11 @@ const char* name_of(Setting::Kind kind) {
   }
 }
 
-Json setting_json(const Graph& graph, const Setting& setting) {
+Json setting_json(const Setting& setting, const WhyUnsuitable& why_unsuitable) {
   Json json = {{"name", setting.name}, {"group", setting.group},          {"kind", name_of(setting.kind)},
                {"help", setting.help}, {"default", setting.default_text}, {"unit", setting.unit}};
   for (const std::string& word : setting.words) {
-    const std::string reason = why_unsuitable(graph, setting, word);
+    const std::string reason = why_unsuitable(setting, word);
     json["choices"].push_back(
         {{"value", word}, {"unsuitable", reason.empty() ? Json(nullptr) : Json(reason)}});
   }
@@ -120,14 +119,13 @@ Message make_message(MessageKind kind, std::string_view payload) {
   return text;
 }
 
-Message form_message(const Graph& graph) {
-  Json formats = Json::array(), settings = Json::array();
-  for (const FileFormat& format : default_formats().all()) {
-    if (format.can_write() && !format.is_folder())
-      formats.push_back({{"name", format.name}, {"extension", format.extension}});
-  }
-  for (const Setting& setting : setting_table()) settings.push_back(setting_json(graph, setting));
-  return make_message(MessageKind::kForm, Json{{"formats", formats}, {"settings", settings}}.dump());
+Message form_message(const std::vector<FormatName>& formats, std::span<const Setting> settings,
+                     const WhyUnsuitable& why_unsuitable) {
+  Json form = {{"formats", Json::array()}, {"settings", Json::array()}};
+  for (const auto& [name, extension] : formats)
+    form["formats"].push_back({{"name", name}, {"extension", extension}});
+  for (const Setting& setting : settings) form["settings"].push_back(setting_json(setting, why_unsuitable));
+  return make_message(MessageKind::kForm, form.dump());
 }
 
 Message structure_message(const Structure& structure, std::uint64_t number) {
@@ -137,12 +135,14 @@ Message structure_message(const Structure& structure, std::uint64_t number) {
                         {"shape", name_of(group.shape)},
                         {"first", group.first},
                         {"count", group.slots.size()}});
+    if (!group.color.empty()) vertices.back()["color"] = group.color;
   }
   for (const LineGroup& group : structure.line_groups) {
     edges.push_back({{"name", group.name},
                      {"role", name_of(group.role, 1)},
                      {"first", group.first},
                      {"count", group.count}});
+    if (!group.color.empty()) edges.back()["color"] = group.color;
   }
   ArrayMessage message({{"structure", number},
                         {"dimension", structure.dimension},

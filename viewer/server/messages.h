@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "viewer/scene/positions.h"
 #include "viewer/scene/structure.h"
+#include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
 
@@ -19,8 +23,14 @@ using Message = std::shared_ptr<const std::string>;
 
 Message make_message(MessageKind kind, std::string_view payload);
 
-/// What the user can choose for this graph: settings and formats.
-Message form_message(const Graph& graph);
+struct FormatName {
+  std::string name, extension;
+};
+/// The reason why a value of a choice makes no sense for the graph, or an empty text.
+using WhyUnsuitable = std::function<std::string(const Setting&, std::string_view word)>;
+/// What the user can choose.
+Message form_message(const std::vector<FormatName>& formats, std::span<const Setting> settings,
+                     const WhyUnsuitable& why_unsuitable);
 
 /// `number` identifies the structure in later frames.
 Message structure_message(const Structure& structure, std::uint64_t number);

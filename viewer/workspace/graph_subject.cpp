@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "boxplus/io/file_format.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
@@ -40,7 +41,13 @@ Subject::Facts GraphSubject::facts() const {
 }
 
 Message GraphSubject::form() const {
-  return form_message(*graph_);
+  std::vector<FormatName> formats;
+  for (const FileFormat& format : default_formats().all()) {
+    if (format.can_write() && !format.is_folder()) formats.push_back({format.name, format.extension});
+  }
+  return form_message(formats, setting_table(), [this](const Setting& setting, std::string_view word) {
+    return why_unsuitable(*graph_, setting, word);
+  });
 }
 
 bool GraphSubject::update_structure() {

@@ -168,7 +168,6 @@ void Workspace::hand_over() {
   {
     const std::lock_guard lock(mutex_);
     is_held_ = false;
-    if (status_ == kRunning) status_ = "ended";
   }
   release();
 }
@@ -180,14 +179,16 @@ bool Workspace::watch(const IterationRecord& record) {
 }
 
 void Workspace::watch_end(const Outcome& outcome) {
-  update_structure();
   finish(outcome);
 }
 
 void Workspace::update() {
-  update_structure();
   const double chi2 = subject_->chi2();
-  set_chi2(chi2);
+  {
+    const std::lock_guard lock(mutex_);
+    chi2_ = chi2;
+    if (status_ == kRunning) status_ = "ended";
+  }
   make_frame(static_cast<int>(rows_.size()), chi2, true);
 }
 
@@ -313,7 +314,6 @@ bool Workspace::note(const IterationRecord& record) {
   constexpr auto kShortest = std::chrono::milliseconds(33);
   constexpr int kShare = 25;
   const auto begin = Clock::now();
-  update_structure();
   make_frame(record.iteration, record.chi2, false);
   const auto end = Clock::now();
   next_frame_ = end + std::max<Clock::duration>(kShortest, kShare * (end - begin));
@@ -358,6 +358,7 @@ void Workspace::update_structure() {
 }
 
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
+  update_structure();
   const std::uint64_t sequence = sequence_ + 1;  // only this thread writes it
   Message message = subject_->frame({structure_number_, sequence, iteration, chi2}, at_rest);
   const std::lock_guard lock(mutex_);

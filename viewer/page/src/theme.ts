@@ -54,6 +54,7 @@ export function currentTheme(): Theme {
 
 /** The color of a type, unless the user chose another one. */
 export function typeColor(theme: Theme, group: VertexGroup | EdgeGroup): Color {
+  if (group.color) return new Color(group.color);
   if ("role" in group) {
     const { odometry, loop_closure, observation, other } = theme;
     return { odometry, "loop closure": loop_closure, observation, other }[group.role];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the picture shows: types of vertices and edges, the filter of points, sizes, and the background.
 import { count, counted, general } from "../format";
-import { isSameKind, type Structure } from "../protocol/messages";
+import { isSameKind, type Structure, type VertexGroup } from "../protocol/messages";
 import { type DisplayOptions, defaultOptions, styleOf } from "../scene/display_options";
 import type { ColorMode } from "../scene/coloring";
 import type { GraphScene } from "../scene/graph_scene";
@@ -79,7 +79,7 @@ export class Display {
   }
 
   private vertexRows(structure: Structure, theme: Theme): HTMLElement[] {
-    const rows = structure.vertices.map((group, i) =>
+    const rows = drawn(structure).map(([group, i]) =>
       typeRow(`vertices-${i}`, structure, group, styleOf(this.options, group), theme));
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
     if (fixed > 0) rows.push(signRow(swatch("ring"), "Fixed", fixed));
@@ -121,7 +121,7 @@ export class Display {
   }
 
   private sizes(structure: Structure): HTMLElement[] {
-    const parts = structure.vertices.map((group, i) =>
+    const parts = drawn(structure).map(([group, i]) =>
       sizeSlider(`vertices-${i}`, structure, group, styleOf(this.options, group)));
     if (structure.dimension !== 2 && structure.vertices.some(({ shape }) => shape === "pose")) {
       parts.push(checkBox("poses-as-axes", this.options.poses_as_axes, ["Poses as axes"], "x orange, y green, z blue",
@@ -191,4 +191,11 @@ export class Display {
 function signRow(sign: HTMLElement, name: string, vertices: number): HTMLElement {
   return create("div", { className: "type-row" }, create("span", { className: "check" }, sign, name), lineNumber(vertices),
     create("span", { className: "color" }));
+}
+
+/** The types of vertices that are more than ends of lines, with their numbers. */
+function drawn(structure: Structure): [VertexGroup, number][] {
+  return [...structure.vertices.entries()]
+    .filter(([, { shape }]) => shape !== "corner")
+    .map(([i, group]) => [group, i]);
 }

@@ -24,14 +24,15 @@ export function typeRow(
 ): HTMLElement {
   const { name, kind } = signOf(structure, group);
   const sign = swatch(kind);
-  if (style.color) sign.style.background = style.color;
+  const own_color = style.color ?? group.color;
+  if (own_color) sign.style.background = own_color;
   const box = checkBox(id, style.shown ?? defaultShown(structure, group), [sign, name], group.name,
     (checked) => (style.shown = checked));
   const default_color = `#${typeColor(theme, group).getHexString()}`;
   const color = colorField(`color-${id}`, name, style.color ?? null, default_color, (chosen) => {
     if (chosen === null) delete style.color;
     else style.color = chosen;
-    sign.style.background = chosen ?? "";
+    sign.style.background = chosen ?? group.color ?? "";
   });
   return create("div", { className: "type-row" }, box, lineNumber(group.count), color);
 }

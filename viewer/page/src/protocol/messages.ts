@@ -53,7 +53,8 @@ export interface StateMessage {
   log: { first: number; lines: LogLine[] };
 }
 
-export type VertexShape = "pose" | "camera" | "camera back" | "point";
+/** A "corner" is only the end of lines. */
+export type VertexShape = "pose" | "camera" | "camera back" | "point" | "corner";
 export type EdgeRole = "odometry" | "loop closure" | "observation" | "other";
 
 /** The vertices `first` to `first + count - 1` have one type. */
@@ -62,6 +63,8 @@ export interface VertexGroup {
   shape: VertexShape;
   first: number;
   count: number;
+  /** The default color, if it is not that of the theme. */
+  color?: string;
 }
 
 /** The lines `first` to `first + count - 1` have one type and one role. */
@@ -70,6 +73,7 @@ export interface EdgeGroup {
   role: EdgeRole;
   first: number;
   count: number;
+  color?: string;
 }
 
 export interface Structure {

@@ -49,6 +49,7 @@ export function styleOf(options: DisplayOptions, group: VertexGroup | EdgeGroup)
 }
 
 export function defaultShown(structure: Structure, group: VertexGroup | EdgeGroup): boolean {
+  if ("shape" in group && group.shape === "corner") return false;
   // The observations of a reconstruction would cover all else.
   return !("role" in group && structure.is_bundle && group.role === "observation");
 }

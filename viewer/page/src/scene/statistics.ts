@@ -13,7 +13,7 @@ export interface Extent {
 }
 
 export function isPoint(group: VertexGroup): boolean {
-  return group.shape === "point";
+  return group.shape === "point" || group.shape === "corner";
 }
 
 /** Returns null if no vertex is drawn. `rotation` turns the positions of the frame into those of the scene. */
