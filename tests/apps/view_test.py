@@ -98,6 +98,10 @@ class Viewer:
     def save(self, token, name):
         return self.request("GET", f"/graph?format={name}", headers={"X-Boxplus-Token": token})
 
+    def element(self, token, query):
+        status, body = self.request("GET", f"/element?{query}", headers={"X-Boxplus-Token": token})
+        return status, json.loads(body)
+
     def end(self, how=signal.SIGINT):
         """Ends the viewer, and returns its exit code."""
         for stream in self.streams:
@@ -327,6 +331,57 @@ class Files(ViewCase):
         self.assertEqual(viewer.save(stream.token, "unheard")[0], 400)
         self.assertEqual(viewer.save("", "g2o")[0], 403)
 
+class Elements(ViewCase):
+    def test_are_described_with_their_errors(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        header, numbers = stream.structure
+        chi2 = stream.frame[1]["chi2"]
+        self.assertEqual(len(chi2), len(numbers["edges"]) // 2)
+        worst = chi2.index(max(chi2))
+        status, edge = viewer.element(stream.token, f"structure={header['structure']}&line={worst}")
+        self.assertEqual((status, edge["line"]), (200, worst))
+        self.assertAlmostEqual(edge["chi2"] / edge["rows"] / chi2[worst], 1, places=5)
+        self.assertEqual([end["vertex"] for end in edge["vertices"]], list(numbers["edges"][2 * worst:2 * worst + 2]))
+        end = edge["vertices"][0]
+        _, vertex = viewer.element(stream.token, f"structure={header['structure']}&id={end['id']}")
+        self.assertEqual(vertex["vertex"], end["vertex"])
+        self.assertIn(edge["edge"], [each["edge"] for each in vertex["edges"]])
+
+    def test_are_refused_without_token_and_with_wrong_numbers(self):
+        viewer = self.viewer()
+        token = viewer.stream().token
+        self.assertEqual(viewer.element("", "structure=1&vertex=0")[0], 403)
+        self.assertEqual(viewer.element(token, "structure=1&vertex=0")[0], 200)
+        for query in ("", "vertex=0", "structure=2&vertex=0", "structure=1", "structure=1&vertex=1000000", "structure=1&vertex=-1",
+                      "structure=1&line=4294967296", "structure=1&edge=18446744073709551616", "structure=1&id=x", "structure=&id=1"):
+            status, answer = viewer.element(token, query)
+            self.assertEqual(status, 400, query)
+            self.assertIn("error", answer)
+
+    def test_are_edited(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        vertices, edges = stream.state["file"]["vertices"], stream.state["file"]["edges"]
+        header = stream.structure[0]
+        edit = {"type": "edit", "structure": "1", "edit": "remove"}
+        self.assertEqual(viewer.command(stream.token, **edit, line="0"), (200, {"ok": True}))
+        stream.read_until(lambda s: s.structure[0]["structure"] == 2 and s.frame[0]["structure"] == 2 and not s.state["busy"])
+        self.assertEqual(stream.structure[0]["graph"], header["graph"])
+        self.assertEqual((stream.state["file"]["vertices"], stream.state["file"]["edges"]), (vertices, edges - 1))
+        self.assertEqual(len(stream.structure[1]["edges"]), 2 * (edges - 1))
+        self.assertIn("is removed", stream.state["log"]["lines"][-1]["text"])
+        self.assertIn("changed", viewer.command(stream.token, **edit, line="0")[1]["error"])  # of structure 1
+        for members, text in (({}, "expected one of"), ({"line": "1000000"}, "line: expected"), ({"id": "-1"}, "id: expected"),
+                              ({"edit": "explode", "line": "0"}, "edit: expected"), ({"edit": "fix", "line": "0"}, "only a vertex"),
+                              ({"edit": "scale", "line": "0"}, "factor: expected"), ({"line": 0}, "expected one of"),
+                              ({"edit": "scale", "line": "0", "factor": "nan"}, "factor: expected"),
+                              ({"edit": "scale", "line": "0", "factor": "-1"}, "factor: expected")):
+            status, answer = viewer.command(stream.token, **{**edit, "structure": "2", **members})
+            self.assertEqual(status, 400, members)
+            self.assertIn(text, answer["error"])
+        self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
+
 class LongRuns(ViewCase):
     def test_stop_on_request(self):
         viewer = self.long_run()
@@ -336,6 +391,8 @@ class LongRuns(ViewCase):
             self.assertEqual(viewer.command(stream.token, type=command)[0], 409, command)
         self.assertEqual(viewer.open(stream.token, "other.g2o", TOWN.read_bytes())[0], 409)
         self.assertEqual(viewer.save(stream.token, "g2o")[0], 409)
+        self.assertEqual(viewer.element(stream.token, "structure=1&vertex=0")[0], 409)
+        self.assertEqual(viewer.command(stream.token, type="edit", edit="fix", structure="1", vertex="1")[0], 409)
         viewer.command(stream.token, type="stop")
         stream.read_until(lambda s: s.run and s.run["status"] != "running" and not s.state["busy"])
         self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
@@ -404,7 +461,8 @@ class Attackers(ViewCase):
 
     def test_cannot_open_streams_from_other_sites(self):
         viewer = self.viewer()
-        for path, status in (("/stream", 403), ("/graph?format=g2o", 403), ("/", 200)):
+        for path, status in (("/stream", 403), ("/graph?format=g2o", 403), ("/element?structure=1&vertex=0", 403),
+                             ("/", 200)):
             self.assertEqual(viewer.request("GET", path, headers={"Sec-Fetch-Site": "cross-site"})[0], status, path)
 
     def test_cannot_send_giant_or_broken_requests(self):

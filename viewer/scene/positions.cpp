@@ -56,29 +56,4 @@ Positions read_positions(const Graph& graph, const Structure& structure) {
   return positions;
 }
 
-std::vector<float> read_point_errors(const Graph& graph, const Structure& structure) {
-  struct Sum {
-    double chi2 = 0, count = 0;
-  };
-  std::vector<std::vector<Sum>> sums;  // by pool and slot
-  for (const auto& pool : graph.vertex_pools()) sums.emplace_back(pool->slots());
-  for (const EdgeRef& edge : graph.all_edges()) {
-    const double chi2 = graph.chi2(edge);
-    for (const VertexRef& vertex : graph.vertices(edge)) {
-      Sum& sum = sums[vertex.pool][vertex.slot];
-      sum.chi2 += chi2;
-      ++sum.count;
-    }
-  }
-  std::vector<float> errors;
-  for (const VertexGroup& group : structure.vertices) {
-    if (group.shape != Shape::kPoint) continue;
-    for (const std::uint32_t slot : group.slots) {
-      const Sum& sum = sums[group.pool][slot];
-      errors.push_back(static_cast<float>(std::sqrt(sum.chi2 / std::max(1.0, sum.count))));
-    }
-  }
-  return errors;
-}
-
 }  // namespace boxplus::viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The positions, orientations and errors of the vertices of a graph.
+// The positions and orientations of the vertices of a graph.
 #pragma once
 
 #include <vector>
@@ -18,9 +18,5 @@ struct Positions {
 
 /// Reads the estimates of `graph`, which must have the structure `structure`. O(vertices).
 Positions read_positions(const Graph& graph, const Structure& structure);
-
-/// Returns the root of the mean squared reprojection error of each point, without kernels: in pixels, or in
-/// standard deviations if the edges have an Ω. The graph must be one of bundle adjustment. O(edges).
-std::vector<float> read_point_errors(const Graph& graph, const Structure& structure);
 
 }  // namespace boxplus::viewer

@@ -67,11 +67,14 @@ class StructureMaker {
   }
 
   void join_vertices() {
-    std::map<std::pair<std::uint32_t, EdgeRole>, std::vector<std::uint32_t>> lines;
+    struct Group {
+      std::vector<std::uint32_t> pairs, edges;
+    };
+    std::map<std::pair<std::uint32_t, EdgeRole>, Group> groups;
     std::size_t count = 0;
     for (const EdgeRef& edge : graph_.all_edges()) {
       std::uint32_t first = kNotDrawn;
-      std::vector<std::uint32_t>* group = nullptr;
+      Group* group = nullptr;
       for (const VertexRef& vertex : graph_.vertices(edge)) {
         const std::uint32_t number = numbers_[vertex.pool][vertex.slot];
         if (number == kNotDrawn) continue;
@@ -84,16 +87,18 @@ class StructureMaker {
           ++made_.left_out;
           continue;
         }
-        if (!group) group = &lines[{edge.pool, role_(edge)}];
-        group->insert(group->end(), {first, number});
+        if (!group) group = &groups[{edge.pool, role_(edge)}];
+        group->pairs.insert(group->pairs.end(), {first, number});
+        group->edges.push_back(edge.slot);
         ++count;
       }
     }
-    for (const auto& [key, pairs] : lines) {
+    for (const auto& [key, group] : groups) {
       made_.line_groups.push_back({std::string(graph_.edge_pools()[key.first]->type_name()), key.second,
-                                   static_cast<std::uint32_t>(made_.lines.size() / 2),
-                                   static_cast<std::uint32_t>(pairs.size() / 2)});
-      made_.lines.insert(made_.lines.end(), pairs.begin(), pairs.end());
+                                   key.first, static_cast<std::uint32_t>(made_.line_edges.size()),
+                                   static_cast<std::uint32_t>(group.edges.size())});
+      made_.lines.insert(made_.lines.end(), group.pairs.begin(), group.pairs.end());
+      made_.line_edges.insert(made_.line_edges.end(), group.edges.begin(), group.edges.end());
     }
   }
 

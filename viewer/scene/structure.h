@@ -34,7 +34,7 @@ struct VertexGroup {
 struct LineGroup {
   std::string name;
   EdgeRole role;
-  std::uint32_t first, count;
+  std::uint32_t pool, first, count;
   std::string color = {};  ///< as for vertices
 };
 
@@ -49,8 +49,9 @@ struct Structure {
   /// The numbers of the two vertices of each line. An edge with n drawn vertices has n − 1 lines, all from
   /// the first of them.
   std::vector<std::uint32_t> lines;
-  std::uint64_t left_out = 0;       ///< lines beyond kMostLines
-  std::vector<std::uint8_t> fixed;  ///< per vertex
+  std::vector<std::uint32_t> line_edges;  ///< the slot of each line's edge in the pool of its group
+  std::uint64_t left_out = 0;             ///< lines beyond kMostLines
+  std::vector<std::uint8_t> fixed;        ///< per vertex
   /// In bundle adjustment, the number of observations of each point; the first belongs to vertex `oriented`.
   std::vector<std::uint32_t> track_lengths;
   std::uint32_t count = 0, oriented = 0;  ///< all drawn vertices; poses and cameras among them

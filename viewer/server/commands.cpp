@@ -8,6 +8,8 @@
 #include <string>
 
 #include "boxplus/base/error.h"
+#include "viewer/server/element_request.h"
+#include "viewer/settings/parse_number.h"
 #include "viewer/settings/run_settings.h"
 
 namespace boxplus::viewer {
@@ -35,6 +37,24 @@ std::string start_of(const Json& command) {
   return start->get<std::string>();
 }
 
+/// Carries out an edit, all of whose members are texts.
+void carry_out_edit(Workspace& workspace, const Json& command) {
+  Parameters members;
+  for (const auto& item : command.items()) {
+    if (item.value().is_string()) members.emplace(item.key(), item.value().get<std::string>());
+  }
+  const ElementRequest request = parse_element_request(members);
+  const auto text = [&](const char* name) {
+    const auto found = members.find(name);
+    return found == members.end() ? std::string() : found->second;
+  };
+  Edit edit{.kind = edit_kind(text("edit")), .element = request.name};
+  if (edit.kind == Edit::Kind::kScale) {
+    if (!parse_number(text("factor"), edit.factor)) throw InvalidArgument("factor: expected a number");
+  }
+  workspace.edit(request.structure, edit);
+}
+
 struct Command {
   std::string_view type;
   void (*carry_out)(Workspace&, const Json&);
@@ -45,6 +65,7 @@ constexpr std::array kCommands{
             [](Workspace& workspace, const Json& command) { workspace.optimize(settings_of(command)); }},
     Command{"step", [](Workspace& workspace, const Json& command) { workspace.step(settings_of(command)); }},
     Command{"guess", [](Workspace& workspace, const Json& command) { workspace.guess(start_of(command)); }},
+    Command{"edit", carry_out_edit},
     Command{"reset", [](Workspace& workspace, const Json&) { workspace.reset(); }},
     Command{"stop", [](Workspace& workspace, const Json&) { workspace.stop(); }},
 };

@@ -128,7 +128,7 @@ Message form_message(const std::vector<FormatName>& formats, std::span<const Set
   return make_message(MessageKind::kForm, form.dump());
 }
 
-Message structure_message(const Structure& structure, std::uint64_t number) {
+Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number) {
   Json vertices = Json::array(), edges = Json::array();
   for (const VertexGroup& group : structure.vertices) {
     vertices.push_back({{"name", group.name},
@@ -144,7 +144,8 @@ Message structure_message(const Structure& structure, std::uint64_t number) {
                      {"count", group.count}});
     if (!group.color.empty()) edges.back()["color"] = group.color;
   }
-  ArrayMessage message({{"structure", number},
+  ArrayMessage message({{"graph", graph},
+                        {"structure", number},
                         {"dimension", structure.dimension},
                         {"is_bundle", structure.is_bundle},
                         {"leveling", structure.leveling},
@@ -158,7 +159,7 @@ Message structure_message(const Structure& structure, std::uint64_t number) {
 }
 
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const std::vector<float>& errors) {
+                      const Errors& errors) {
   ArrayMessage message({{"structure", facts.structure},
                         {"sequence", facts.sequence},
                         {"iteration", facts.iteration},
@@ -166,7 +167,9 @@ Message frame_message(const FrameFacts& facts, const Structure& structure, const
                         {"center", structure.center}});
   message.add("positions", positions.points);
   message.add("orientations", positions.orientations);
-  if (!errors.empty()) message.add("errors", errors);
+  if (!errors.points.empty()) message.add("errors", errors.points);
+  if (!errors.chi2.empty()) message.add("chi2", errors.chi2);
+  if (!errors.weights.empty()) message.add("weights", errors.weights);
   return message.make(MessageKind::kFrame);
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/scene/errors.h"
 #include "viewer/scene/positions.h"
 #include "viewer/scene/structure.h"
 #include "viewer/settings/setting_table.h"
@@ -32,16 +33,16 @@ using WhyUnsuitable = std::function<std::string(const Setting&, std::string_view
 Message form_message(const std::vector<FormatName>& formats, std::span<const Setting> settings,
                      const WhyUnsuitable& why_unsuitable);
 
-/// `number` identifies the structure in later frames.
-Message structure_message(const Structure& structure, std::uint64_t number);
+/// `graph` identifies the graph, and `number` the structure in later frames.
+Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number);
 
 struct FrameFacts {
   std::uint64_t structure, sequence;
   int iteration;
   double chi2;
 };
-/// `errors` may be empty.
+/// The vectors of `errors` may be empty.
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const std::vector<float>& errors);
+                      const Errors& errors);
 
 }  // namespace boxplus::viewer

@@ -15,6 +15,7 @@
 
 #include "boxplus/base/error.h"
 #include "viewer/server/commands.h"
+#include "viewer/server/element_request.h"
 #include "viewer/server/guard.h"
 #include "viewer/server/page.h"
 
@@ -116,6 +117,11 @@ class Server::Implementation {
     });
     http_.Get("/stream", [this](const auto&, auto& response) { send_stream(response); });
     http_.Get("/graph", [this](const auto& request, auto& response) { send_graph(request, response); });
+    http_.Get("/element", [this](const auto& request, auto& response) {
+      if (!has_token(request, response)) return;
+      const ElementRequest element = parse_element_request(request.params);
+      response.set_content(workspace_.describe(element.structure, element.name), "application/json");
+    });
     http_.Post("/command", [this](const auto& request, auto& response, const auto& content) {
       const std::optional<std::string> body = read_body(request, response, content, kLongestCommand);
       if (!body) return;
@@ -192,11 +198,15 @@ class Server::Implementation {
     return std::nullopt;
   }
 
+  /// For requests with GET that need the token. Answers with an error if it is missing.
+  bool has_token(const httplib::Request& request, httplib::Response& response) const {
+    if (request.get_header_value("X-Boxplus-Token") == guard_.token()) return true;
+    answer(response, 403, {{"error", "the token is missing or wrong"}});
+    return false;
+  }
+
   void send_graph(const httplib::Request& request, httplib::Response& response) {
-    if (request.get_header_value("X-Boxplus-Token") != guard_.token()) {
-      answer(response, 403, {{"error", "the token is missing or wrong"}});
-      return;
-    }
+    if (!has_token(request, response)) return;
     response.set_content(workspace_.formatted(request.get_param_value("format")), "application/octet-stream");
   }
 

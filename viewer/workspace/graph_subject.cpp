@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "viewer/server/element_json.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
@@ -52,19 +53,29 @@ Message GraphSubject::form() const {
 
 bool GraphSubject::update_structure() {
   if (structure_.revision == graph_->revision()) return false;
-  structure_ = make_structure(*graph_);
+  Structure structure = make_structure(*graph_);
+  if (structure_.count > 0) structure.center = structure_.center;  // so that the picture does not move
+  structure_ = std::move(structure);
   return true;
 }
 
-Message GraphSubject::structure(std::uint64_t number) const {
-  return structure_message(structure_, number);
+Message GraphSubject::structure(std::uint64_t graph, std::uint64_t number) const {
+  return structure_message(structure_, graph, number);
 }
 
 Message GraphSubject::frame(const FrameFacts& facts, bool at_rest) const {
   const Positions positions = read_positions(*graph_, structure_);
-  const std::vector<float> errors =
-      at_rest && structure_.is_bundle ? read_point_errors(*graph_, structure_) : std::vector<float>();
+  const Errors errors = at_rest ? read_errors(*graph_, structure_) : Errors();
   return frame_message(facts, structure_, positions, errors);
+}
+
+std::string GraphSubject::describe(const ElementName& name, std::uint64_t structure) const {
+  return element_json(*graph_, structure_, name, structure);
+}
+
+std::string GraphSubject::edit(const Edit& edit) {
+  if (!own_) throw InvalidArgument("the graph is that of a program, so pages cannot edit it");
+  return apply(edit, *graph_, structure_);
 }
 
 void GraphSubject::check(const Settings& settings) const {

@@ -25,8 +25,11 @@ class GraphSubject final : public Subject {
   double chi2() override { return graph_->chi2(); }
   Message form() const override;
   bool update_structure() override;
-  Message structure(std::uint64_t number) const override;
+  Message structure(std::uint64_t graph, std::uint64_t number) const override;
   Message frame(const FrameFacts& facts, bool at_rest) const override;
+  std::string describe(const ElementName& name, std::uint64_t structure) const override;
+  /// Refused if the graph is that of a program, because the program does not expect it.
+  std::string edit(const Edit& edit) override;
   void check(const Settings& settings) const override;
   Outcome run(const Settings& settings, Listener& listener) override;
   Outcome step(const Settings& settings, Listener& listener) override;

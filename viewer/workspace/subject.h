@@ -12,6 +12,7 @@
 #include "boxplus/optimize/report.h"
 #include "viewer/server/messages.h"
 #include "viewer/settings/run_settings.h"
+#include "viewer/workspace/edits.h"
 
 namespace boxplus::viewer {
 
@@ -57,9 +58,17 @@ class Subject {
   virtual Message form() const = 0;
   /// Reads the structure again if it has changed. Returns whether it has.
   virtual bool update_structure() = 0;
-  virtual Message structure(std::uint64_t number) const = 0;
+  /// `graph` identifies the subject, and `number` its structure.
+  virtual Message structure(std::uint64_t graph, std::uint64_t number) const = 0;
   /// The current estimates, in the order of the structure. `at_rest` is false while a run goes on.
   virtual Message frame(const FrameFacts& facts, bool at_rest) const = 0;
+
+  /// What there is to say about an element, as JSON with the number of the structure. It must be fast. Throws
+  /// InvalidArgument if there is no such element.
+  virtual std::string describe(const ElementName& name, std::uint64_t structure) const = 0;
+  /// Changes the graph, and returns what was done. Throws InvalidArgument, and changes nothing, if this is
+  /// impossible.
+  virtual std::string edit(const Edit& edit) = 0;
 
   /// Throws InvalidArgument if a setting is unknown or has a wrong value.
   virtual void check(const Settings& settings) const = 0;

@@ -16,11 +16,19 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kBusy = "the viewer is busy: wait until the run ends, or stop it";
 constexpr const char* kHeld = "the graph is in the hands of its program";
 constexpr const char* kRunning = "running";
+constexpr const char* kOutdated = "the graph has changed, so choose again";
+constexpr const char* kNoGraph = "there is no graph: open a file first";
 
 Json row_json(const IterationRecord& record) {
   return {{"iteration", record.iteration}, {"chi2", record.chi2},     {"chi2_decrease", record.chi2_decrease},
           {"step_max", record.step_max},   {"lambda", record.lambda}, {"radius", record.radius},
           {"tries", record.tries},         {"time_s", record.time_s}};
+}
+
+/// Identifies a graph, also for pages that were connected to an earlier process.
+std::uint64_t milliseconds_since_1970() {
+  const auto time = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
 }
 
 /// Returns the items from `first` as an array.
@@ -94,6 +102,24 @@ std::string Workspace::formatted(const std::string& format) {
   return text;
 }
 
+void Workspace::edit(std::uint64_t structure, const Edit& edit) {
+  work_here(true, "editing", [&] {
+    if (structure != structure_number_) throw InvalidArgument(kOutdated);
+    log("info", subject_->edit(edit));
+    ++edits_;
+    update_structure();
+    leave_run(subject_->chi2());
+  });
+}
+
+std::string Workspace::describe(std::uint64_t structure, const ElementName& name) const {
+  const std::lock_guard lock(mutex_);  // so nobody can claim the workspace
+  if (is_busy_) throw Busy(is_held_ ? kHeld : kBusy);
+  if (!subject_) throw InvalidArgument(kNoGraph);
+  if (structure != structure_number_) throw InvalidArgument(kOutdated);
+  return subject_->describe(name, structure);
+}
+
 /// Works on the calling thread instead of the worker's.
 void Workspace::work_here(bool needs_graph, const char* activity, const std::function<void()>& work) {
   {
@@ -122,7 +148,7 @@ void Workspace::end() {
 void Workspace::claim(bool needs_graph) {
   if (ending_) throw InvalidArgument("the viewer is ending");
   if (is_busy_) throw Busy(is_held_ ? kHeld : kBusy);
-  if (needs_graph && !subject_) throw InvalidArgument("there is no graph: open a file first");
+  if (needs_graph && !subject_) throw InvalidArgument(kNoGraph);
   is_busy_ = true;
   ++version_;
   has_news_.notify_all();
@@ -252,10 +278,13 @@ void Workspace::read(const Job& job) {
 void Workspace::replace(std::unique_ptr<Subject> subject) {
   subject->keep_estimates();
   const double chi2 = subject->chi2();
-  const Message form = subject->form(), structure = subject->structure(structure_number_ + 1);
+  const std::uint64_t graph = std::max(graph_number_ + 1, milliseconds_since_1970());
+  const Message form = subject->form(), structure = subject->structure(graph, structure_number_ + 1);
+  edits_ = 0;
   const std::unique_ptr<Subject> old = std::exchange(subject_, std::move(subject));
   {
     const std::lock_guard lock(mutex_);
+    graph_number_ = graph;
     ++structure_number_;
     form_message_ = form;
     structure_message_ = structure;
@@ -291,6 +320,17 @@ void Workspace::make_guess(const std::string& start) {
 void Workspace::restore() {
   subject_->restore();
   const double chi2 = subject_->chi2();
+  if (edits_ > 0) {
+    const std::lock_guard lock(mutex_);
+    chi2_initial_ = chi2;
+  }
+  leave_run(chi2);
+  log("info", edits_ == 0 ? "the estimates are those of the file"
+                          : "the estimates are those of the file; what was edited stays edited");
+}
+
+/// Shows estimates that are not the result of the last run.
+void Workspace::leave_run(double chi2) {
   {
     const std::lock_guard lock(mutex_);
     chi2_ = chi2;
@@ -299,7 +339,6 @@ void Workspace::restore() {
     ++run_number_;
   }
   make_frame(0, chi2, true);
-  log("info", "the estimates are those of the file");
 }
 
 bool Workspace::note(const IterationRecord& record) {
@@ -349,7 +388,8 @@ void Workspace::log(const char* level, std::string text) {
 
 void Workspace::update_structure() {
   if (!subject_->update_structure()) return;
-  const Message form = subject_->form(), structure = subject_->structure(structure_number_ + 1);
+  const Message form = subject_->form(),
+                structure = subject_->structure(graph_number_, structure_number_ + 1);
   const std::lock_guard lock(mutex_);
   ++structure_number_;
   form_message_ = form;

@@ -53,7 +53,7 @@ class Workspace final : private Listener {
   void step(const Settings& settings);
   /// Replaces the estimates by an initial guess: a value of the setting "start".
   void guess(const std::string& start);
-  /// Restores the estimates of the file.
+  /// Restores the estimates of the file. Edits stay.
   void reset();
   /// Reads a file and replaces the graph. If this fails, the graph stays, and the state has the message.
   /// Throws Busy while another command is carried out.
@@ -66,6 +66,15 @@ class Workspace final : private Listener {
   /// Returns the graph with its current estimates as a file of a format (FileFormat::name). Throws Busy while
   /// a command is carried out, and InvalidArgument if there is no graph, or as format_graph() does.
   std::string formatted(const std::string& format);
+
+  /// Changes the graph, and evaluates it. `structure` is the number of the structure to which the element
+  /// belongs. Throws as describe() and Subject::edit() do, and then nothing has changed.
+  void edit(std::uint64_t structure, const Edit& edit);
+
+  /// Returns what there is to say about a vertex or an edge, as JSON. Throws Busy while a command is carried
+  /// out, and InvalidArgument if there is no graph, if its structure has another number, or if it has no such
+  /// element.
+  std::string describe(std::uint64_t structure, const ElementName& name) const;
 
   /// Stops the command that is carried out, and waits for its end. From now on, the calling thread may use
   /// the graph, and commands of pages are refused, except for stop().
@@ -134,6 +143,7 @@ class Workspace final : private Listener {
   void begin_run();
   void make_guess(const std::string& start);
   void restore();
+  void leave_run(double chi2);
   void set_chi2(double chi2);
   void finish(const Outcome& outcome);
   void update_structure();
@@ -143,6 +153,7 @@ class Workspace final : private Listener {
 
   // Used only by the thread that has claimed the workspace.
   std::unique_ptr<Subject> subject_;
+  int edits_ = 0;
   std::chrono::steady_clock::time_point next_frame_{};
 
   std::atomic<bool> stop_ = false, ending_ = false;
@@ -154,7 +165,7 @@ class Workspace final : private Listener {
   Job job_;
   bool is_busy_ = false, is_held_ = false;
   const char* activity_ = "";
-  std::uint64_t version_ = 1, structure_number_ = 0, sequence_ = 0;
+  std::uint64_t version_ = 1, graph_number_ = 0, structure_number_ = 0, sequence_ = 0;
   Message form_message_, structure_message_, frame_message_;
   std::optional<Subject::Facts> facts_;
   std::string error_;

@@ -155,8 +155,17 @@ bool OptimizerSubject::update_structure() {
   return is_new;
 }
 
-Message OptimizerSubject::structure(std::uint64_t number) const {
-  return structure_message(structure_, number);
+Message OptimizerSubject::structure(std::uint64_t graph, std::uint64_t number) const {
+  return structure_message(structure_, graph, number);
+}
+
+std::string OptimizerSubject::describe(const boxplus::viewer::ElementName& /*name*/,
+                                       std::uint64_t /*structure*/) const {
+  throw InvalidArgument("the shapes of drawing actions are not described");
+}
+
+std::string OptimizerSubject::edit(const boxplus::viewer::Edit& /*edit*/) {
+  throw InvalidArgument("the elements of this graph cannot be edited here");
 }
 
 Message OptimizerSubject::frame(const boxplus::viewer::FrameFacts& facts, bool /*at_rest*/) const {

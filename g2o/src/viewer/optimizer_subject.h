@@ -29,8 +29,10 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   double chi2() override;
   boxplus::viewer::Message form() const override;
   bool update_structure() override;
-  boxplus::viewer::Message structure(std::uint64_t number) const override;
+  boxplus::viewer::Message structure(std::uint64_t graph, std::uint64_t number) const override;
   boxplus::viewer::Message frame(const boxplus::viewer::FrameFacts& facts, bool at_rest) const override;
+  std::string describe(const boxplus::viewer::ElementName& name, std::uint64_t structure) const override;
+  std::string edit(const boxplus::viewer::Edit& edit) override;
   void check(const boxplus::viewer::Settings& settings) const override;
   boxplus::viewer::Outcome run(const boxplus::viewer::Settings& settings,
                                boxplus::viewer::Listener& listener) override;

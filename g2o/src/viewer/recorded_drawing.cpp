@@ -185,7 +185,7 @@ Structure RecordedDrawing::structure() const {
       structure.lines.push_back(number(from));
       structure.lines.push_back(number(to));
     }
-    structure.line_groups.push_back({lines.name, lines.role, begin,
+    structure.line_groups.push_back({lines.name, lines.role, 0, begin,
                                      static_cast<std::uint32_t>(structure.lines.size() / 2) - begin,
                                      lines.color});
   }

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/se2.h"
@@ -16,6 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using Json = nlohmann::json;
 
 GraphFile small_graph() {
@@ -70,6 +72,35 @@ TEST(Workspace, GivesANewReaderEverything) {
   EXPECT_THAT(reader.wait(0ms), IsEmpty());
 }
 
+/// Reads until the worker waits, and returns the arrays of the last frame.
+Json arrays_of_frame_at_rest(Workspace::Reader& reader) {
+  constexpr std::size_t kHeader = 12;  // after the length and kind of the message, and its own length
+  for (Json arrays; !reader.has_ended();) {
+    bool is_busy = true;
+    for (const Message& message : reader.wait(10s)) {
+      if (kind_of(message) == MessageKind::kState)
+        is_busy = Json::parse(message->substr(8))["busy"].get<bool>();
+      if (kind_of(message) != MessageKind::kFrame) continue;
+      std::uint32_t size = 0;
+      std::memcpy(&size, message->data() + kHeader - sizeof size, sizeof size);
+      arrays = Json::parse(message->substr(kHeader, size))["arrays"];
+    }
+    if (!is_busy) return arrays;
+  }
+  return {};
+}
+
+TEST(Workspace, SendsTheErrorsOfLinesAtRest) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  const Json of_file = arrays_of_frame_at_rest(reader);
+  EXPECT_EQ(of_file["chi2"]["count"], 3);
+  EXPECT_FALSE(of_file.contains("weights"));
+  workspace.optimize({{"kernel", "Huber"}});
+  EXPECT_EQ(arrays_of_frame_at_rest(reader)["weights"]["count"], 3);
+}
+
 TEST(Workspace, OptimizesAsOptimizeDoes) {
   Workspace workspace;
   workspace.show(small_graph(), "small.g2o");
@@ -93,6 +124,85 @@ TEST(Workspace, RestoresTheEstimatesOfTheFile) {
   EXPECT_LT(settled(reader)["chi2"].get<double>(), before);
   workspace.reset();
   EXPECT_EQ(settled(reader)["chi2"].get<double>(), before);
+}
+
+TEST(Workspace, SendsTheStructureAgainAfterAnEditThatChangesIt) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  const auto structures = [&] {
+    int count = 0;
+    for (const Message& message : reader.wait(1s)) count += kind_of(message) == MessageKind::kStructure;
+    return count;
+  };
+  EXPECT_EQ(structures(), 1);
+  workspace.edit(1, {Edit::Kind::kFix, {ElementName::Kind::kId, 1}});
+  EXPECT_EQ(structures(), 1);
+  workspace.edit(2, {Edit::Kind::kScale, {ElementName::Kind::kLine, 0}, 2});
+  EXPECT_EQ(structures(), 0);
+  EXPECT_THROW(workspace.edit(1, {Edit::Kind::kFree, {ElementName::Kind::kId, 1}}), InvalidArgument);
+  workspace.edit(2, {Edit::Kind::kFree, {ElementName::Kind::kId, 1}});
+  EXPECT_EQ(structures(), 1);
+}
+
+TEST(Workspace, OptimizesAfterAnEdit) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  workspace.optimize({});
+  EXPECT_GT(settled(reader)["chi2"].get<double>(), 0.01);  // the closure measures 2.5 instead of 2
+  workspace.edit(1, {Edit::Kind::kDisable, {ElementName::Kind::kEdge, 2}});
+  workspace.optimize({});
+  EXPECT_NEAR(settled(reader)["chi2"].get<double>(), 0, 1e-9);
+  workspace.edit(1, {Edit::Kind::kRemove, {ElementName::Kind::kId, 2}});
+  Json state = settled(reader);
+  EXPECT_EQ(state["file"]["vertices"], 2);
+  EXPECT_EQ(state["file"]["edges"], 1);
+  workspace.optimize({});
+  EXPECT_EQ(settled(reader)["run"]["status"], "converged");
+  EXPECT_THAT(workspace.formatted("g2o"), Not(HasSubstr("VERTEX_SE2 2")));
+}
+
+TEST(Workspace, RestoresTheEstimatesOfTheVerticesThatAnEditLeft) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  workspace.optimize({});
+  settled(reader);
+  workspace.edit(1, {Edit::Kind::kRemove, {ElementName::Kind::kId, 0}});
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    workspace.reset();
+    const Json state = settled(reader);
+    EXPECT_THAT(workspace.formatted("g2o"), HasSubstr("VERTEX_SE2 1 3 0 0\nVERTEX_SE2 2 0 3 0\n"));
+    EXPECT_EQ(state["chi2"].get<double>(), 16 + 9);  // of the edge from 1 to 2
+    EXPECT_EQ(state["chi2"], state["chi2_initial"]);
+    EXPECT_EQ(state["file"]["vertices"], 2);
+    workspace.step({});
+    EXPECT_NE(settled(reader)["chi2"], state["chi2"]);
+  }
+}
+
+TEST(Workspace, DescribesTheGraphOfAProgramAndDoesNotEditIt) {
+  GraphFile file = small_graph();
+  Workspace workspace(nullptr);
+  workspace.show(std::make_unique<GraphSubject>(file.graph, "own"));
+  EXPECT_THAT(workspace.describe(1, {ElementName::Kind::kId, 1}), HasSubstr("VERTEX_SE2"));
+  EXPECT_THROW(workspace.edit(1, {Edit::Kind::kRemove, {ElementName::Kind::kId, 1}}), InvalidArgument);
+  EXPECT_EQ(file.graph.vertex_count(), 3U);
+  workspace.hold();
+  EXPECT_THROW(std::ignore = workspace.describe(1, {ElementName::Kind::kId, 1}), Busy);
+}
+
+TEST(Workspace, ForgetsEditsIfTheFileIsOpenedAgain) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  workspace.edit(1, {Edit::Kind::kRemove, {ElementName::Kind::kId, 2}});
+  workspace.open("small.g2o", format_graph(small_graph()));
+  const Json state = settled(reader);
+  EXPECT_EQ(state["file"]["edges"], 3);
+  workspace.reset();
+  EXPECT_THAT(settled(reader)["log"]["lines"].back()["text"].get<std::string>(), Not(HasSubstr("edited")));
 }
 
 TEST(Workspace, RefusesCommandsWithoutAGraphUntilOneIsOpened) {

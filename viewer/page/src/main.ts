@@ -7,6 +7,7 @@ import { Chart } from "./panels/chart";
 import { Commands } from "./panels/commands";
 import { Display } from "./panels/display";
 import { byId, setText } from "./panels/dom";
+import { ElementPanel } from "./panels/element";
 import { Files } from "./panels/files";
 import { Guess } from "./panels/guess";
 import { Iterations } from "./panels/iterations";
@@ -43,10 +44,11 @@ function main(): void {
   const chart = new Chart(model);
   const time_line = view && new TimeLinePanel(model, view, chart);
   const connection = new Connection({
-    onMessage: (message) => receive(message, model, view, time_line),
+    onMessage: (message) => receive(message, model, view, time_line, element),
     onConnection: (state) => model.setConnection(state),
   });
   const commands = new Commands(banners);
+  const element = view && new ElementPanel(model, connection, commands, view);
   const values = new SettingValues();
   new TopBar(model);
   new Files(model, connection, commands, banners);
@@ -61,16 +63,20 @@ function main(): void {
   void connection.run();
 }
 
-function receive(message: Message, model: Model, view: SceneView | null, time_line: TimeLinePanel | null): void {
+function receive(
+  message: Message, model: Model, view: SceneView | null, time_line: TimeLinePanel | null, element: ElementPanel | null,
+): void {
   if (message.kind === "state") model.apply(message.state);
   if (message.kind === "form") model.setForm(message.form);
   if (message.kind === "structure") {
     view?.setStructure(message.structure);
     time_line?.setStructure(message.structure);
+    element?.setStructure(message.structure);
     setText(byId("hint"), hint(message.structure.dimension));
   }
   if (message.kind === "frame") {
     time_line?.add(message.frame);
+    element?.setFrame();
     if (isInitial(message.frame, model) && view?.knowsInitial === false) view.setInitial(message.frame);
   }
 }

@@ -4,6 +4,7 @@ import { Color } from "three";
 import type { EdgeGroup, VertexGroup } from "./protocol/messages";
 import { type Coloring, MOST_CLASSES } from "./scene/coloring";
 import { store, stored } from "./stored";
+import { LEVELS } from "./scene/edge_levels";
 
 export interface Theme {
   background: Color;
@@ -21,6 +22,9 @@ export interface Theme {
   ramp: [Color, Color, Color];
   /** Colors of classes without an order; the last one is for the rest. */
   distinct: Color[];
+  /** Of edges that are colored by a value; the last one is that of outliers. */
+  levels: Color[];
+  selection: Color;
   plot_line: string;
   plot_grid: string;
   plot_text: string;
@@ -45,6 +49,8 @@ export function currentTheme(): Theme {
     other: color("--other-edge"),
     ramp: [color("--ramp-low"), color("--ramp-middle"), color("--ramp-high")],
     distinct: Array.from({ length: MOST_CLASSES }, (_, i) => color(`--class-${i + 1}`)),
+    levels: Array.from({ length: LEVELS }, (_, level) => color(`--level-${level}`)),
+    selection: color("--selection"),
     plot_line: text("--accent"),
     plot_grid: text("--line"),
     plot_text: text("--dim"),

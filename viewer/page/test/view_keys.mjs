@@ -65,7 +65,7 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
   });
 
   await step("numbers choose tabs", async () => {
-    for (const [i, tab] of ["display", "settings", "iterations", "log"].entries()) {
+    for (const [i, tab] of ["display", "settings", "iterations", "log", "element"].entries()) {
       await press(String(i + 1));
       if (!(await page.isVisible(`#${tab}`))) fail(`${tab} is not visible`);
     }

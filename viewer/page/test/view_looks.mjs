@@ -24,7 +24,7 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
         if (hidden.length > 0) fail(hidden.join(", "));
       });
 
-      for (const tab of ["display", "settings", "iterations", "log"]) {
+      for (const tab of ["display", "settings", "iterations", "log", "element"]) {
         await step(`${where}, all of the tab ${tab} can be read`, async () => {
           await page.click(`#tab-${tab}`);
           const { texts, borders } = await page.evaluate(colorsInUse);

@@ -10,6 +10,7 @@ import { storedOptions, storeOptions } from "../scene/stored_options";
 import { classColors, currentTheme, onThemeChange, type Theme } from "../theme";
 import { checkBox, choice, colorField, fieldset, lineNumber, slider, swatch } from "./controls";
 import { byId, create, setText } from "./dom";
+import { EdgeColors } from "./edge_colors";
 import { sizeSlider, typeRow } from "./type_rows";
 
 const COLOR_MODE_NAMES: Record<ColorMode, string> = {
@@ -25,6 +26,7 @@ export class Display {
   private options: DisplayOptions = storedOptions();
   private structure: Structure | null = null;
   private graph: GraphScene | null = null;
+  private readonly edge_colors = new EdgeColors();
   private readonly hidden_text = create("p", { id: "hidden-points", className: "dim" });
   private readonly initial_text = create("p", { id: "initial-unknown", className: "dim" },
     "This page does not know them any more. Reset brings them back.");
@@ -98,6 +100,7 @@ export class Display {
       const text = `${counted(structure.left_out, "edge is", "edges are")} not drawn.`;
       rows.push(create("p", { className: "dim" }, text));
     }
+    rows.push(...this.edge_colors.build(this.options));
     return rows;
   }
 
@@ -149,6 +152,7 @@ export class Display {
   }
 
   private updateTexts(): void {
+    this.edge_colors.showLegend(this.options.edge_coloring, this.graph?.level_counts ?? null);
     this.updateFilterText();
     this.updateLegend();
     this.updateInitialText();

@@ -34,7 +34,7 @@ export function shortcutGroups(tools: PictureTools | null, time_line: TimeLinePa
     ];
   }
   groups["Page"] = [
-    ...["display", "settings", "iterations", "log"].map((tab, i) => (
+    ...["display", "settings", "iterations", "log", "element"].map((tab, i) => (
       { keys: [String(i + 1)], text: `Tab ${tab.charAt(0).toUpperCase()}${tab.slice(1)}`, control: `tab-${tab}` })),
     { keys: ["h"], text: "Hide or show the panel", control: "toggle-panel" },
     { keys: ["d"], text: "Dark or light theme", control: "toggle-theme" },

@@ -3,6 +3,7 @@
 // is hidden for long gives its stream back, because browsers open only six connections to a server.
 import { decode } from "./decode";
 import { MessageReader } from "./framing";
+import type { ElementFacts, ElementName } from "./element";
 import type { Command, Message } from "./messages";
 
 const RETRY_MS = 1000;
@@ -74,6 +75,16 @@ export class Connection {
     const url = `/graph?format=${encodeURIComponent(format)}`;
     const response = await answerTo(url, { headers: { "X-Boxplus-Token": this.token }, cache: "no-store" });
     return response.blob();
+  }
+
+  /** Returns what the server knows of an element of this structure. Throws like send(). */
+  async element(structure: number, { key, number }: ElementName): Promise<ElementFacts> {
+    const response = await answerTo(`/element?structure=${structure}&${key}=${encodeURIComponent(number)}`, {
+      headers: { "X-Boxplus-Token": this.token },
+      cache: "no-store",
+      signal: AbortSignal.timeout(ANSWER_MS),
+    });
+    return (await response.json()) as ElementFacts;
   }
 
   private async readStream(): Promise<void> {

@@ -41,11 +41,13 @@ function decodeStructure(payload: Uint8Array<ArrayBuffer>): Structure {
 
 function decodeFrame(payload: Uint8Array<ArrayBuffer>): Frame {
   const { header, arrays } = decodeArrays(payload);
+  const chi2 = optional(arrays, "chi2", Float32Array);
   return {
     ...(header as unknown as Frame),
     positions: required(arrays, "positions", Float32Array),
     orientations: required(arrays, "orientations", Float32Array),
     errors: optional(arrays, "errors", Float32Array),
+    line_values: chi2 && { chi2, weights: optional(arrays, "weights", Float32Array) },
   };
 }
 

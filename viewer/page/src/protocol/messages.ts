@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The messages of the server, as viewer/PROTOCOL.md describes them. The names are those of the JSON.
+import type { LineValues } from "../scene/edge_levels";
 
 /** What the server sends for a number that is not finite is null. */
 export type MaybeNumber = number | null;
@@ -77,6 +78,8 @@ export interface EdgeGroup {
 }
 
 export interface Structure {
+  /** It stays if the graph is edited, and differs if another file is opened. */
+  graph: number;
   structure: number;
   dimension: number;
   is_bundle: boolean;
@@ -94,10 +97,10 @@ export interface Structure {
   track_lengths: Uint32Array | null;
 }
 
-/** True if the structures have the same types with the same numbers of vertices and edges. */
+/** True if the structures have the same types with the same numbers of vertices, fixed vertices and edges. */
 export function isSameKind(a: Structure, b: Structure): boolean {
-  const kind = ({ dimension, is_bundle, vertices, edges }: Structure) =>
-    JSON.stringify([dimension, is_bundle, vertices, edges]);
+  const kind = ({ dimension, is_bundle, vertices, edges, fixed }: Structure) =>
+    JSON.stringify([dimension, is_bundle, vertices, edges, fixed.reduce((sum, flag) => sum + flag, 0)]);
   return kind(a) === kind(b);
 }
 
@@ -118,6 +121,8 @@ export interface Frame {
   orientations: Float32Array;
   /** The reprojection error of each point, if the server knows it. */
   errors: Float32Array | null;
+  /** The arrays `chi2` and `weights`, if the server knows them. */
+  line_values: LineValues | null;
 }
 
 /** A value that a setting can have; `unsuitable` is the reason why it makes no sense for this graph. */
@@ -159,7 +164,10 @@ export type Message =
 /** The values of settings, by their names. */
 export type SettingTexts = Record<string, string>;
 
+export type EditKind = "fix" | "free" | "remove" | "disable" | "enable" | "scale";
+
 export type Command =
+  | ({ type: "edit"; edit: EditKind; structure: string; factor?: string } & { [key in "id" | "edge"]?: string })
   | { type: "optimize"; settings: SettingTexts }
   | { type: "step"; settings: SettingTexts }
   | { type: "guess"; start: string }

@@ -132,6 +132,13 @@ export class CameraRig {
     }
   }
 
+  /** Moves the camera, without a change of its direction and distance. */
+  lookAt(target: Vector3): void {
+    if (!this.controls) return;
+    const backward = this.camera.position.clone().sub(this.controls.target);
+    this.place(target, backward.clone().normalize(), backward.length());
+  }
+
   /** Adapts the depth range to what is visible; `radius` is that of the graph. */
   setDepthRange(radius: number): void {
     const far = this.distance + 50 * radius;

@@ -2,6 +2,7 @@
 // What the user may choose about the picture.
 import type { EdgeGroup, Structure, VertexGroup } from "../protocol/messages";
 import type { ColorMode } from "./coloring";
+import type { EdgeColoring } from "./edge_levels";
 import type { PointLimits } from "./point_filter";
 import { isPoint } from "./statistics";
 
@@ -29,6 +30,7 @@ export interface DisplayOptions {
   shows_initial: boolean;
   /** What the colors of vertices tell. */
   color_mode: ColorMode;
+  edge_coloring: EdgeColoring;
   limits: PointLimits;
 }
 
@@ -39,6 +41,7 @@ export function defaultOptions(): DisplayOptions {
     poses_as_axes: false,
     shows_initial: false,
     color_mode: "type",
+    edge_coloring: "role",
     limits: { least_track_length: 0, most_error: Infinity },
   };
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges of one type and role: one set of lines between the vertices.
+// The edges of one type and role, or those of one level among them: one set of lines between the vertices.
 import { BufferAttribute, BufferGeometry, type Color, DynamicDrawUsage, LineSegments } from "three";
 import type { EdgeGroup, EdgeRole, Structure } from "../protocol/messages";
+import { LEVELS } from "./edge_levels";
 import { lineMaterial } from "./materials";
 import { spreadOrder } from "./spread";
 import type { Vertices } from "./vertices";
@@ -18,15 +19,16 @@ export class Edges {
   private readonly lines: Uint32Array;
   private drawable = 0;
 
-  constructor(readonly group: EdgeGroup, structure: Structure, vertices: Vertices) {
-    this.lines = spread(structure.lines.subarray(2 * group.first, 2 * (group.first + group.count)));
+  /** `lines` has two vertices for each line. `level` is null if the color is that of the group. */
+  constructor(readonly group: EdgeGroup, lines: Uint32Array, vertices: Vertices, readonly level: number | null = null) {
+    this.lines = spread(lines);
     const geometry = new BufferGeometry();
     this.index = new BufferAttribute(new Uint32Array(this.lines.length), 1).setUsage(DynamicDrawUsage);
     geometry.setAttribute("position", vertices.positions);
     geometry.setIndex(this.index);
     this.object = new LineSegments(geometry, lineMaterial());
     this.object.frustumCulled = false;
-    this.object.renderOrder = group.role === "observation" ? -1 : 0;
+    this.object.renderOrder = (group.role === "observation" ? -1 : 0) + (level ?? 0) / LEVELS;
   }
 
   updateVisible({ visible }: Vertices): void {
@@ -60,16 +62,25 @@ export class Edges {
     this.object.material.uniforms["color"]!.value.copy(color);
   }
 
+  /** The positions are shared with the other objects of the graph, so they stay. */
   dispose(): void {
+    this.object.geometry.deleteAttribute("position");
     this.object.geometry.dispose();
     this.object.material.dispose();
   }
 
   private fullOpacity(): number {
+    if (this.level === LEVELS - 1) return 1;
     const full = OPACITY[this.group.role];
     if (this.group.role !== "observation") return full;
-    return full * Math.min(1, Math.max(LEAST_OPACITY / full, Math.sqrt(FEW_OBSERVATIONS / this.group.count)));
+    const count = this.lines.length / 2;
+    return full * Math.min(1, Math.max(LEAST_OPACITY / full, Math.sqrt(FEW_OBSERVATIONS / count)));
   }
+}
+
+/** The lines of a type and role: two vertex numbers each. */
+export function linesOf({ first, count }: EdgeGroup, { lines }: Structure): Uint32Array {
+  return lines.subarray(2 * first, 2 * (first + count));
 }
 
 function spread(lines: Uint32Array): Uint32Array {

@@ -3,7 +3,7 @@
 import { Group } from "three";
 import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
 import type { Theme } from "../theme";
-import { Edges } from "./edges";
+import { Edges, linesOf } from "./edges";
 import { PointCloud } from "./points";
 import { membersOf, Vertices } from "./vertices";
 
@@ -23,7 +23,7 @@ export class Ghost {
     this.vertices = new Vertices(structure);
     this.vertices.update(frame);
     this.points = structure.vertices.map((group) => new PointCloud(membersOf(group), this.vertices));
-    this.edges = structure.edges.map((group) => new Edges(group, structure, this.vertices));
+    this.edges = structure.edges.map((group) => new Edges(group, linesOf(group, structure), this.vertices));
     for (const points of this.points) points.setSize(POINT_PIXELS);
     for (const part of this.parts) {
       // It is drawn before all else, and all else is drawn over it.

@@ -6,12 +6,15 @@ import { classColors, type Theme, typeColor } from "../theme";
 import type { Budget } from "./budget";
 import { type Coloring, type ColorMode, coloringOf } from "./coloring";
 import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
-import { Edges } from "./edges";
+import { type EdgeColoring, LEVELS, levelCounts, levelsOf, linesOfLevel, type LineValues } from "./edge_levels";
+import { Edges, linesOf } from "./edges";
 import { Ghost } from "./ghost";
 import { shared } from "./materials";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
+import { pick, type Picked, type Place } from "./picking";
 import { Poses } from "./poses";
+import { Selection } from "./selection";
 import type { ShapeName } from "./shapes";
 import { isPoint } from "./statistics";
 import { membersOf, Vertices } from "./vertices";
@@ -29,9 +32,19 @@ export class GraphScene {
   private readonly vertices: Vertices;
   /** The members of `structure.vertices`, in the same order. */
   private readonly groups: (Poses | PointCloud)[];
-  private readonly edges: Edges[];
+  private edges: Edges[];
+  /** The last values of lines that the server sent; none are sent during a run. */
+  private line_values: LineValues | null = null;
+  private edge_coloring: EdgeColoring = "role";
+  private has_new_values = false;
+  /** The number of lines of each level; null if the edges have the colors of their roles. */
+  level_counts: number[] | null = null;
   private readonly fixed: PointCloud;
   private ghost: Ghost | null = null;
+  private readonly selection: Selection;
+  /** By type, in the order of the structure. */
+  private shown_vertices: boolean[] = [];
+  private shown_edges: boolean[] = [];
   private center: Vector3 | null = null;
   private poses_as_axes = false;
   private color_mode: ColorMode = "type";
@@ -45,9 +58,11 @@ export class GraphScene {
     this.vertices = new Vertices(structure);
     this.filter = new PointFilter(structure);
     this.groups = structure.vertices.map((group) => this.createGroup(group));
-    this.edges = structure.edges.map((group) => new Edges(group, structure, this.vertices));
+    this.edges = this.createEdges(null);
     this.fixed = new PointCloud(indicesOf(structure.fixed), this.vertices, true);
     this.fixed.setSize(FIXED_PIXELS);
+    this.selection = new Selection(this.vertices);
+    this.current.add(...this.selection.objects);
     for (const part of this.parts()) {
       if (structure.dimension === 2) layInPlane(part);
       this.current.add(part.object);
@@ -61,6 +76,10 @@ export class GraphScene {
       if (group instanceof Poses) group.update(frame, this.vertices);
     }
     if (frame.errors) this.filter.errors = frame.errors;
+    if (frame.line_values) {
+      this.line_values = frame.line_values;
+      this.has_new_values = true;
+    }
     if (changed) this.updateVisible();
   }
 
@@ -93,6 +112,7 @@ export class GraphScene {
     if (this.coloring) {
       classColors(theme, this.coloring).forEach((color, i) => shared.class_colors.value[i]!.copy(color));
     }
+    this.colorEdges(options.edge_coloring);
     const styleFor = (group: VertexGroup | EdgeGroup) => {
       const { shown, size, color } = styleOf(options, group);
       return {
@@ -113,10 +133,41 @@ export class GraphScene {
       const { shown, size, color } = styleFor(edges.group);
       edges.object.visible = shown && size > 0;
       edges.setOpacity(size);
-      edges.setColor(color);
+      edges.setColor(edges.level === null ? color : theme.levels[edges.level]!);
     });
     this.fixed.setColor(theme.fixed);
     this.ghost?.applyOptions(theme, (group) => styleFor(group).shown);
+    this.selection.setColor(theme.selection);
+    this.shown_vertices = this.groups.map((part) => part.object.visible);
+    this.shown_edges = this.structure.edges.map((group) => {
+      const { shown, size } = styleFor(group);
+      return shown && size > 0;
+    });
+  }
+
+  /** Returns what is drawn at a place of the picture. `view_projection` turns the world into the picture. */
+  pick(place: Place, view_projection: Matrix4): Picked | null {
+    const { lines, vertices, edges } = this.structure;
+    const { visible, positions } = this.vertices;
+    return pick({
+      lines,
+      positions: positions.array,
+      matrix: view_projection.clone().multiply(this.current.matrix),
+      isVertexShown: (vertex) => visible[vertex] === 1 && isMember(vertices, this.shown_vertices, vertex),
+      isLineShown: (line) => visible[lines[2 * line]!] === 1 && visible[lines[2 * line + 1]!] === 1 &&
+        isMember(edges, this.shown_edges, line),
+    }, place);
+  }
+
+  /** Marks a vertex, or the vertices of an edge. */
+  select(vertices: number[]): void {
+    this.selection.show(vertices);
+  }
+
+  /** Where the vertex is in the scene; null if it is not drawn. */
+  placeOf(vertex: number): Vector3 | null {
+    if (!this.vertices.visible[vertex]) return null;
+    return new Vector3().fromBufferAttribute(this.vertices.positions, vertex).applyMatrix4(this.current.matrix);
   }
 
   /** Where the origin of the scene is in the leveled world. */
@@ -136,6 +187,7 @@ export class GraphScene {
   dispose(): void {
     for (const part of this.parts()) part.dispose();
     this.ghost?.dispose();
+    this.selection.dispose();
   }
 
   private parts(): (Poses | PointCloud | Edges)[] {
@@ -145,6 +197,35 @@ export class GraphScene {
   private createGroup(group: VertexGroup): Poses | PointCloud {
     if (!isPoint(group)) return new Poses(group, this.structure, this.shapeOf(group, false));
     return new PointCloud(membersOf(group), this.vertices);
+  }
+
+  private createEdges(levels: Uint8Array | null): Edges[] {
+    const { structure, vertices } = this;
+    return structure.edges.flatMap((group) => {
+      if (!levels) return [new Edges(group, linesOf(group, structure), vertices)];
+      return Array.from({ length: LEVELS }, (_, level) =>
+        new Edges(group, linesOfLevel(structure.lines, group.first, group.count, levels, level), vertices, level));
+    });
+  }
+
+  /** Divides the edges into levels, or unites them, if the coloring or the values have changed. */
+  private colorEdges(coloring: EdgeColoring): void {
+    const is_new = coloring !== this.edge_coloring || (coloring !== "role" && this.has_new_values);
+    if (!is_new) return;
+    this.edge_coloring = coloring;
+    this.has_new_values = false;
+    for (const edges of this.edges) {
+      this.current.remove(edges.object);
+      edges.dispose();
+    }
+    const levels = coloring === "role" || !this.line_values ? null : levelsOf(coloring, this.line_values);
+    this.level_counts = levels && levelCounts(levels);
+    this.edges = this.createEdges(levels);
+    for (const edges of this.edges) {
+      if (this.structure.dimension === 2) layInPlane(edges);
+      edges.updateVisible(this.vertices);
+      this.current.add(edges.object);
+    }
   }
 
   private changeShapes(as_axes: boolean): void {
@@ -174,6 +255,7 @@ export class GraphScene {
 
   private updateVisible(): void {
     for (const part of this.parts()) part.updateVisible(this.vertices);
+    this.selection.updateVisible();
   }
 
   /** Positions are relative to the center of their frame, the scene to that of the first frame. */
@@ -184,6 +266,11 @@ export class GraphScene {
     group.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
     group.matrixWorldNeedsUpdate = true;
   }
+}
+
+/** True if the number belongs to one of the groups that are shown. */
+function isMember(groups: { first: number; count: number }[], shown: boolean[], number: number): boolean {
+  return groups.some(({ first, count }, i) => shown[i]! && number >= first && number < first + count);
 }
 
 function limitParts(parts: { drawableCount: number; drawPart(part: number): void }[], most: number): void {

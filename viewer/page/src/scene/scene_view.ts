@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
-import { Color, LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
+import { Color, LinearSRGBColorSpace, Matrix4, Scene, Vector3, WebGLRenderer } from "three";
 import { type Frame, isSameKind, isSameStructure, type Structure } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
@@ -8,6 +8,7 @@ import { CameraRig, type CameraState } from "./camera_rig";
 import { type DisplayOptions, defaultOptions } from "./display_options";
 import { GraphScene } from "./graph_scene";
 import { shared } from "./materials";
+import type { Picked } from "./picking";
 import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./statistics";
 
 /** How much of its color the farthest part of a graph in 3-D loses. */
@@ -59,10 +60,12 @@ export class SceneView {
     this.applyTheme();
   }
 
-  /** Keeps the camera if the structure is like the one before, as after a lost connection. */
+  /** Keeps the camera if the graph was edited, or is like the one before, as after a lost connection. */
   setStructure(structure: Structure): void {
-    this.keeps_camera = this.graph !== null && this.fitted !== null && isSameKind(structure, this.graph.structure);
     if (!isSameStructure(structure, this.graph?.structure ?? null)) this.setInitial(null);
+    const before = this.graph?.structure;
+    this.keeps_camera = before !== undefined && this.fitted !== null && before.dimension === structure.dimension &&
+      (structure.graph === before.graph || isSameKind(structure, before));
     if (this.graph) {
       this.world.remove(this.graph.root);
       this.graph.dispose();
@@ -131,6 +134,39 @@ export class SceneView {
 
   zoom(factor: number): void {
     this.rig.zoom(factor);
+  }
+
+  /** Returns what is drawn at a place, in CSS pixels from the upper left corner of the canvas. */
+  pick(x: number, y: number): Picked | null {
+    if (!this.graph || !this.frame) return null;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const { near } = this.rig.camera;
+    return this.graph.pick({ x, y, width, height, near }, this.viewProjection());
+  }
+
+  /** Marks a vertex, or the vertices of an edge; nothing if the list is empty. */
+  select(vertices: number[]): void {
+    this.graph?.select(vertices);
+    this.requestPicture();
+  }
+
+  /** Moves the camera if none of the vertices is in the picture. */
+  goTo(vertices: number[]): void {
+    const places = vertices.map((vertex) => this.graph?.placeOf(vertex)).filter((place) => place !== null && place !== undefined);
+    const matrix = this.viewProjection();
+    const isSeen = (place: Vector3) => {
+      const { x, y, z } = place.clone().applyMatrix4(matrix);
+      return Math.max(Math.abs(x), Math.abs(y), Math.abs(z)) < 1;
+    };
+    if (places.length === 0 || places.some(isSeen)) return;
+    this.rig.lookAt(places[0]!);
+    this.moved();
+  }
+
+  private viewProjection(): Matrix4 {
+    const { camera } = this.rig;
+    camera.updateMatrixWorld();
+    return new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   }
 
   /** Where the camera is in the leveled world; null if nothing is drawn. */
@@ -202,7 +238,8 @@ export class SceneView {
     if (is_first && !this.keeps_camera) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
     if (this.follows) this.followGraph();
     this.updateSpacing(graph, frame);
-    if (is_first || frame.errors) this.on_structure(graph);
+    if (frame.line_values) graph.applyOptions(this.options, this.spacing, currentTheme());
+    if (is_first || frame.line_values) this.on_structure(graph);
   }
 
   private followGraph(): void {

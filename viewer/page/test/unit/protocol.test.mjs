@@ -58,6 +58,18 @@ test("the arrays of a frame are views of its payload", () => {
   assert.deepEqual([...frame.orientations], [0, 0, 0, 1]);
   assert.equal(frame.positions.buffer, payload.buffer);
   assert.equal(frame.errors, null);
+  assert.equal(frame.line_values, null);
+});
+
+test("chi2 of the frame and chi2 of the lines are two things", () => {
+  const numbers = new Float32Array([7, 8]);
+  const none = { type: "f32", offset: 0, count: 0 };
+  const arrays = { positions: none, orientations: none, chi2: { type: "f32", offset: 0, count: 2 } };
+  const payload = arraysPayload({ chi2: 4, arrays }, new Uint8Array(numbers.buffer));
+  const { frame } = decode({ kind: 3, payload });
+  assert.equal(frame.chi2, 4);
+  assert.deepEqual([...frame.line_values.chi2], [7, 8]);
+  assert.equal(frame.line_values.weights, null);
 });
 
 test("a frame without positions, or with positions that are not floats, is an error", () => {

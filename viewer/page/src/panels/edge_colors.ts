@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The choice by what edges are colored, and its legend.
+import type { DisplayOptions } from "../scene/display_options";
+import { type EdgeColoring, levelNames } from "../scene/edge_levels";
+import { lineNumber, swatch } from "./controls";
+import { create } from "./dom";
+
+const CHOICES: [EdgeColoring, string][] = [["role", "role"], ["chi2", "chi2"], ["weight", "robust weight"]];
+const EXPLANATIONS = {
+  chi2: "chi2 of the edge per row of its error, before the kernel; about 1 is expected.",
+  weight: "The factor by which the kernel reduces the edge.",
+};
+
+export class EdgeColors {
+  private readonly legend = create("div", { id: "edge-legend" });
+
+  /** The options are changed in place. */
+  build(options: DisplayOptions): HTMLElement[] {
+    const select = create("select", { id: "edge-coloring" },
+      ...CHOICES.map(([value, name]) => create("option", { value }, name)));
+    select.value = options.edge_coloring;
+    select.addEventListener("input", () => (options.edge_coloring = select.value as EdgeColoring));
+    return [create("label", { className: "choice" }, "Color edges by", select), this.legend];
+  }
+
+  /** `counts` are the numbers of lines of each level. */
+  showLegend(coloring: EdgeColoring, counts: number[] | null): void {
+    this.legend.hidden = coloring === "role" || !counts;
+    if (coloring === "role" || !counts) return;
+    const lines = levelNames(coloring).map((name, level) =>
+      create("li", {}, swatch(`level-${level}`), name, lineNumber(counts[level]!)));
+    this.legend.replaceChildren(
+      create("p", { className: "dim" }, EXPLANATIONS[coloring]), create("ul", { className: "legend" }, ...lines));
+  }
+}
