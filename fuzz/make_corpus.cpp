@@ -164,11 +164,21 @@ std::vector<std::string> colmap() {
   return seeds;
 }
 
+/// Commands, and the parts of requests as lines (fuzz_view_request.cpp).
+std::vector<std::string> view_requests() {
+  return {R"({"type": "optimize", "settings": {"algorithm": "dogleg", "iterations": "20"}})",
+          R"({"type": "edit", "edit": "scale", "factor": "0.5", "structure": "3", "line": "7"})",
+          R"({"type": "guess", "start": "odometry"})", "structure\n3\nvertex\n7\n",
+          "POST\n/command\n127.0.0.1:8743\nhttp://127.0.0.1:8743\nsame-origin\napplication/json\n"
+          "0123456789abcdef0123456789abcdef\n"};
+}
+
 /// Returns the seeds for a format. The list is empty if there are no seeds for the format.
 std::vector<std::string> seeds(const std::string& format) {
   if (format == "toro") return {toro_plane(), toro_space()};
   if (format == "bal") return {bal(), "1 1 0\n0 0 0 0 0 0 500 0 0\n1 2 3\n", "0 0 0\n"};
   if (format == "colmap") return colmap();
+  if (format == "view_request") return view_requests();
   if (format != "g2o") return {};
   std::vector<std::string> all{plane(), space(), odds()};
   for (const World world : kWorlds) all.push_back(simulated(world));
@@ -187,7 +197,7 @@ void write_corpus(const std::string& format, const std::filesystem::path& folder
 
 int main(int argc, char** argv) {
   if (argc != 3 || boxplus::seeds(argv[1]).empty()) {
-    std::fprintf(stderr, "usage: make_corpus bal|colmap|g2o|toro FOLDER\n");
+    std::fprintf(stderr, "usage: make_corpus bal|colmap|g2o|toro|view_request FOLDER\n");
     return 2;
   }
   boxplus::write_corpus(argv[1], argv[2]);

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
-#include "viewer/server/commands.h"
+#include "viewer/server/command.h"
 #include "viewer/server/element_request.h"
 #include "viewer/server/guard.h"
 #include "viewer/server/page.h"
@@ -82,6 +82,23 @@ std::string clean_name(std::string name) {
   return name.empty() ? "file" : name;
 }
 
+void carry_out(const Command& command, Workspace& workspace) {
+  switch (command.kind) {
+    case Command::Kind::kOptimize:
+      return workspace.optimize(command.settings);
+    case Command::Kind::kStep:
+      return workspace.step(command.settings);
+    case Command::Kind::kGuess:
+      return workspace.guess(command.start);
+    case Command::Kind::kEdit:
+      return workspace.edit(command.structure, command.edit);
+    case Command::Kind::kReset:
+      return workspace.reset();
+    case Command::Kind::kStop:
+      return workspace.stop();
+  }
+}
+
 void answer(httplib::Response& response, int status, const Json& json) {
   response.status = status;
   response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
@@ -125,7 +142,7 @@ class Server::Implementation {
     http_.Post("/command", [this](const auto& request, auto& response, const auto& content) {
       const std::optional<std::string> body = read_body(request, response, content, kLongestCommand);
       if (!body) return;
-      carry_out(*body, workspace_);
+      carry_out(parse_command(*body), workspace_);
       answer(response, 200, {{"ok", true}});
     });
     http_.Post("/open", [this](const auto& request, auto& response, const auto& content) {

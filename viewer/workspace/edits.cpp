@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,15 +11,6 @@
 
 namespace boxplus::viewer {
 namespace {
-
-constexpr std::array kKinds{
-    std::pair{std::string_view("fix"), Edit::Kind::kFix},
-    std::pair{std::string_view("free"), Edit::Kind::kFree},
-    std::pair{std::string_view("remove"), Edit::Kind::kRemove},
-    std::pair{std::string_view("disable"), Edit::Kind::kDisable},
-    std::pair{std::string_view("enable"), Edit::Kind::kEnable},
-    std::pair{std::string_view("scale"), Edit::Kind::kScale},
-};
 
 std::string name_of(const Graph& graph, EdgeRef edge) {
   constexpr std::size_t kMostIds = 4;
@@ -108,13 +97,6 @@ std::string apply(const Edit& edit, Graph& graph, EdgeRef edge) {
 }
 
 }  // namespace
-
-Edit::Kind edit_kind(std::string_view name) {
-  for (const auto& known : kKinds) {
-    if (known.first == name) return known.second;
-  }
-  throw InvalidArgument("edit: expected one of fix, free, remove, disable, enable, scale");
-}
 
 std::string apply(const Edit& edit, Graph& graph, const Structure& structure) {
   const Element element = find_element(graph, structure, edit.element);

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "boxplus/graph/graph.h"
 #include "viewer/scene/element.h"
@@ -25,10 +24,6 @@ struct Edit {
   ElementName element;
   double factor = 1;
 };
-
-/// Returns the kind with this name: "fix", "free", "remove", "disable", "enable" or "scale". Throws
-/// InvalidArgument if there is none.
-Edit::Kind edit_kind(std::string_view name);
 
 /// Returns what was done, as a sentence. Throws InvalidArgument, and changes nothing, if the graph has no
 /// such element, if the edit makes no sense for it or would change nothing, if the last vertex would be

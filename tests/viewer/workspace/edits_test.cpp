@@ -92,7 +92,6 @@ TEST_F(Edits, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(apply_to(Kind::kFree, Name::kId, 5), InvalidArgument);  // it is free
   EXPECT_THROW(apply_to(Kind::kEnable, Name::kLine, 0), InvalidArgument);
   EXPECT_THROW(apply_to(Kind::kRemove, Name::kId, 6), InvalidArgument);
-  EXPECT_THROW(edit_kind("explode"), InvalidArgument);
   EXPECT_EQ(graph.revision(), revision);
 }
 
