@@ -66,6 +66,7 @@ constexpr std::array kCommands{
     Command{"step", [](Workspace& workspace, const Json& command) { workspace.step(settings_of(command)); }},
     Command{"guess", [](Workspace& workspace, const Json& command) { workspace.guess(start_of(command)); }},
     Command{"edit", carry_out_edit},
+    Command{"covariances", [](Workspace& workspace, const Json&) { workspace.covariances(); }},
     Command{"reset", [](Workspace& workspace, const Json&) { workspace.reset(); }},
     Command{"stop", [](Workspace& workspace, const Json&) { workspace.stop(); }},
 };

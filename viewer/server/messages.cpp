@@ -159,17 +159,22 @@ Message structure_message(const Structure& structure, std::uint64_t graph, std::
 }
 
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const Errors& errors) {
+                      const Errors& errors, const Uncertainty& uncertainty) {
   ArrayMessage message({{"structure", facts.structure},
                         {"sequence", facts.sequence},
                         {"iteration", facts.iteration},
                         {"chi2", facts.chi2},
-                        {"center", structure.center}});
+                        {"center", structure.center},
+                        {"uncertainty", uncertainty.note}});
   message.add("positions", positions.points);
   message.add("orientations", positions.orientations);
   if (!errors.points.empty()) message.add("errors", errors.points);
   if (!errors.chi2.empty()) message.add("chi2", errors.chi2);
   if (!errors.weights.empty()) message.add("weights", errors.weights);
+  if (!uncertainty.vertices.empty()) {
+    message.add("uncertain", uncertainty.vertices);
+    message.add("covariances", uncertainty.covariances);
+  }
   return message.make(MessageKind::kFrame);
 }
 

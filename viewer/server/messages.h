@@ -13,6 +13,7 @@
 #include "viewer/scene/errors.h"
 #include "viewer/scene/positions.h"
 #include "viewer/scene/structure.h"
+#include "viewer/scene/uncertainty.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
@@ -37,12 +38,12 @@ Message form_message(const std::vector<FormatName>& formats, std::span<const Set
 Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number);
 
 struct FrameFacts {
-  std::uint64_t structure, sequence;
-  int iteration;
-  double chi2;
+  std::uint64_t structure = 0, sequence = 0;
+  int iteration = 0;
+  double chi2 = 0;
 };
-/// The vectors of `errors` may be empty.
+/// The vectors of `errors` and `uncertainty` may be empty.
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const Errors& errors);
+                      const Errors& errors, const Uncertainty& uncertainty = {});
 
 }  // namespace boxplus::viewer

@@ -67,6 +67,10 @@ void Workspace::guess(const std::string& start) {
   request({.kind = Job::Kind::kGuess, .settings = {{"start", start}}, .name = start});
 }
 
+void Workspace::covariances() {
+  request({.kind = Job::Kind::kCovariances});
+}
+
 void Workspace::reset() {
   request({.kind = Job::Kind::kReset});
 }
@@ -144,6 +148,17 @@ void Workspace::end() {
   has_news_.notify_all();
 }
 
+const char* Workspace::activity_of(Job::Kind kind) {
+  switch (kind) {
+    case Job::Kind::kOpen:
+      return "reading";
+    case Job::Kind::kCovariances:
+      return "computing covariances";
+    default:
+      return "optimizing";
+  }
+}
+
 /// Makes the caller, who holds mutex_, the only one that uses the graph, until release().
 void Workspace::claim(bool needs_graph) {
   if (ending_) throw InvalidArgument("the viewer is ending");
@@ -167,7 +182,7 @@ void Workspace::request(Job job) {
   if (!is_busy_ && subject_) subject_->check(job.settings);
   claim(job.kind != Job::Kind::kOpen);
   stop_ = false;
-  activity_ = job.kind == Job::Kind::kOpen ? "reading" : "optimizing";
+  activity_ = activity_of(job.kind);
   job_ = std::move(job);
   has_job_.notify_all();
 }
@@ -256,6 +271,8 @@ void Workspace::carry_out(const Job& job) {
       return read(job);
     case Job::Kind::kGuess:
       return make_guess(job.name);
+    case Job::Kind::kCovariances:
+      return add_covariances();
     case Job::Kind::kReset:
       return restore();
     case Job::Kind::kStep:
@@ -399,11 +416,19 @@ void Workspace::update_structure() {
 
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
   update_structure();
-  const std::uint64_t sequence = sequence_ + 1;  // only this thread writes it
-  Message message = subject_->frame({structure_number_, sequence, iteration, chi2}, at_rest);
+  frame_facts_ = {structure_number_, frame_facts_.sequence + 1, iteration, chi2};
+  publish(subject_->frame(frame_facts_, at_rest));
+}
+
+void Workspace::add_covariances() {
+  ++frame_facts_.sequence;
+  publish(subject_->uncertain_frame(frame_facts_, *this));
+}
+
+void Workspace::publish(Message frame) {
   const std::lock_guard lock(mutex_);
-  frame_message_ = std::move(message);
-  sequence_ = sequence;
+  frame_message_ = std::move(frame);
+  sequence_ = frame_facts_.sequence;
   ++version_;
   has_news_.notify_all();
 }

@@ -172,6 +172,12 @@ Message OptimizerSubject::frame(const boxplus::viewer::FrameFacts& facts, bool /
   return frame_message(facts, structure_, drawing_->positions(structure_.center), {});
 }
 
+Message OptimizerSubject::uncertain_frame(const boxplus::viewer::FrameFacts& facts,
+                                          Listener& /*listener*/) const {
+  const boxplus::viewer::Uncertainty none{.note = "the shapes of drawing actions have no covariances"};
+  return frame_message(facts, structure_, drawing_->positions(structure_.center), {}, none);
+}
+
 // ---- Settings ----
 
 std::vector<Setting> OptimizerSubject::settings() const {

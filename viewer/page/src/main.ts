@@ -5,6 +5,7 @@ import { Model } from "./model";
 import { Banners } from "./panels/banners";
 import { Chart } from "./panels/chart";
 import { Commands } from "./panels/commands";
+import { Covariances } from "./panels/covariances";
 import { Display } from "./panels/display";
 import { byId, setText } from "./panels/dom";
 import { ElementPanel } from "./panels/element";
@@ -41,7 +42,7 @@ function main(): void {
   const banners = new Banners(model);
   const view = createView(banners);
   const tools = view && new PictureTools(view, model, banners);
-  if (view) new Display(view);
+  const display = view && new Display(view);
   const chart = new Chart(model);
   const time_line = view && new TimeLinePanel(model, view, chart);
   new TopBar(model);
@@ -52,7 +53,7 @@ function main(): void {
   const saved = byId("saved-stream").textContent!;
   if (saved === "") {
     new Shortcuts(shortcuts, KEYS_WITH_FOCUS);
-    serve(model, banners, view, show);
+    serve(model, banners, view, display, show);
   } else {
     document.body.classList.add("saved");
     new Shortcuts(withoutServer(shortcuts), KEYS_WITH_FOCUS);
@@ -61,7 +62,9 @@ function main(): void {
 }
 
 /** Adds the parts that need a server, and shows what it sends. */
-function serve(model: Model, banners: Banners, view: SceneView | null, show: (message: Message) => void): void {
+function serve(
+  model: Model, banners: Banners, view: SceneView | null, display: Display | null, show: (message: Message) => void,
+): void {
   const connection = new Connection({
     onMessage: (message) => {
       show(message);
@@ -77,6 +80,7 @@ function serve(model: Model, banners: Banners, view: SceneView | null, show: (me
   new RunBar(model, connection, values, commands);
   new SettingsForm(model, values);
   new Guess(model, connection, commands);
+  if (display) new Covariances(display.compute, model, connection, commands);
   new Iterations(model);
   new Log(model);
   void connection.run();

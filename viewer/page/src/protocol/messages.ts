@@ -109,6 +109,15 @@ export function isSameStructure(a: Structure, b: Structure | null): boolean {
   return b !== null && a.structure === b.structure && isSameKind(a, b);
 }
 
+/** The covariances of positions. */
+export interface Uncertainty {
+  /** What was computed, or why nothing was. */
+  note: string;
+  vertices: Uint32Array;
+  /** xx, xy, xz, yy, yz, zz in m² for each of the vertices. */
+  covariances: Float32Array;
+}
+
 export interface Frame {
   structure: number;
   sequence: number;
@@ -123,6 +132,8 @@ export interface Frame {
   errors: Float32Array | null;
   /** The arrays `chi2` and `weights`, if the server knows them. */
   line_values: LineValues | null;
+  /** null if nobody asked for it. */
+  uncertainty: Uncertainty | null;
 }
 
 /** A value that a setting can have; `unsuitable` is the reason why it makes no sense for this graph. */
@@ -171,5 +182,6 @@ export type Command =
   | { type: "optimize"; settings: SettingTexts }
   | { type: "step"; settings: SettingTexts }
   | { type: "guess"; start: string }
+  | { type: "covariances" }
   | { type: "stop" }
   | { type: "reset" };
