@@ -178,4 +178,15 @@ Message frame_message(const FrameFacts& facts, const Structure& structure, const
   return message.make(MessageKind::kFrame);
 }
 
+Message pattern_message(const Pattern& pattern) {
+  Json pictures = Json::array();
+  const std::array all{std::pair{"H_by_id", &pattern.H_by_id}, std::pair{"H_ordered", &pattern.H_ordered},
+                       std::pair{"L_by_id", &pattern.L_by_id}, std::pair{"L_ordered", &pattern.L_ordered}};
+  for (const auto& [name, picture] : all)
+    pictures.push_back({{"name", name}, {"blocks", picture->blocks}, {"is_complete", picture->is_complete}});
+  ArrayMessage message({{"size", pattern.size}, {"cells", pattern.cells}, {"pictures", pictures}});
+  for (const auto& [name, picture] : all) message.add(name, picture->counts);
+  return message.make(MessageKind::kPattern);
+}
+
 }  // namespace boxplus::viewer

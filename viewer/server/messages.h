@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "viewer/scene/errors.h"
+#include "viewer/scene/pattern.h"
 #include "viewer/scene/positions.h"
 #include "viewer/scene/structure.h"
 #include "viewer/scene/uncertainty.h"
@@ -18,7 +19,7 @@
 
 namespace boxplus::viewer {
 
-enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm };
+enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm, kPattern };
 
 /// A message with its length and kind, as it is sent. Pages share it.
 using Message = std::shared_ptr<const std::string>;
@@ -45,5 +46,7 @@ struct FrameFacts {
 /// The vectors of `errors` and `uncertainty` may be empty.
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
                       const Errors& errors, const Uncertainty& uncertainty = {});
+
+Message pattern_message(const Pattern& pattern);
 
 }  // namespace boxplus::viewer

@@ -116,6 +116,10 @@ class Server::Implementation {
       response.set_content(std::string(icon_svg()), "image/svg+xml");
     });
     http_.Get("/stream", [this](const auto&, auto& response) { send_stream(response); });
+    http_.Get("/pattern", [this](const auto& request, auto& response) {
+      if (has_token(request, response))
+        response.set_content(std::string(*workspace_.pattern()), "application/octet-stream");
+    });
     http_.Get("/graph", [this](const auto& request, auto& response) { send_graph(request, response); });
     http_.Get("/element", [this](const auto& request, auto& response) {
       if (!has_token(request, response)) return;

@@ -127,6 +127,10 @@ void GraphSubject::drop_estimates() {
   graph_->discard_top();
 }
 
+Message GraphSubject::pattern(const std::atomic<bool>& stop) const {
+  return pattern_message(read_pattern(*graph_, StopToken(&stop)));
+}
+
 std::string GraphSubject::formatted(const std::string& format) const {
   return file_ != nullptr ? format_graph(*file_, {.format = format})
                           : format_graph(*graph_, {.format = format});

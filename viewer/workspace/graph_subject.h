@@ -38,6 +38,7 @@ class GraphSubject final : public Subject {
   void keep_estimates() override { graph_->push(); }
   void restore() override;
   void drop_estimates() override;
+  Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 
   /// Adds the notes on the file to the log.

@@ -85,6 +85,8 @@ class Subject {
   virtual void restore() = 0;
   /// Ends what keep_estimates() began.
   virtual void drop_estimates() = 0;
+  /// Where H and L have blocks. Throws as read_pattern() does.
+  virtual Message pattern(const std::atomic<bool>& stop) const = 0;
   /// The graph as a file. Throws InvalidArgument if the format cannot contain it.
   virtual std::string formatted(const std::string& format) const = 0;
 };

@@ -124,11 +124,24 @@ std::string Workspace::describe(std::uint64_t structure, const ElementName& name
   return subject_->describe(name, structure);
 }
 
+Message Workspace::pattern() {
+  Message pattern;
+  work_here(true, "computing the pattern", [&] {
+    try {
+      pattern = subject_->pattern(stop_);
+    } catch (const Stopped&) {
+      throw InvalidArgument("the computation of the pattern was stopped");
+    }
+  });
+  return pattern;
+}
+
 /// Works on the calling thread instead of the worker's.
 void Workspace::work_here(bool needs_graph, const char* activity, const std::function<void()>& work) {
   {
     const std::lock_guard lock(mutex_);
     claim(needs_graph);
+    stop_ = false;
     activity_ = activity;
   }
   try {

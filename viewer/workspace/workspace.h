@@ -78,6 +78,10 @@ class Workspace final : private Listener {
   /// element.
   std::string describe(std::uint64_t structure, const ElementName& name) const;
 
+  /// Returns where H and L have blocks. Throws Busy while a command is carried out, and InvalidArgument if
+  /// there is no graph, if it is too large, or if it was stopped.
+  Message pattern();
+
   /// Stops the command that is carried out, and waits for its end. From now on, the calling thread may use
   /// the graph, and commands of pages are refused, except for stop().
   void hold();

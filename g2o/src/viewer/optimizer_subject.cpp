@@ -178,6 +178,10 @@ Message OptimizerSubject::uncertain_frame(const boxplus::viewer::FrameFacts& fac
   return frame_message(facts, structure_, drawing_->positions(structure_.center), {}, none);
 }
 
+Message OptimizerSubject::pattern(const std::atomic<bool>& /*stop*/) const {
+  throw InvalidArgument("the pattern of this graph is not known here");
+}
+
 // ---- Settings ----
 
 std::vector<Setting> OptimizerSubject::settings() const {

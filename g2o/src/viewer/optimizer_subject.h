@@ -44,6 +44,7 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   void keep_estimates() override;
   void restore() override;
   void drop_estimates() override;
+  boxplus::viewer::Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 
  private:

@@ -13,6 +13,7 @@ import { Files } from "./panels/files";
 import { Guess } from "./panels/guess";
 import { Iterations } from "./panels/iterations";
 import { Log } from "./panels/log";
+import { PatternDialog } from "./panels/pattern";
 import { PictureTools } from "./panels/picture_tools";
 import { RunBar } from "./panels/run_bar";
 import { KEYS_WITH_FOCUS, shortcutGroups, withoutServer } from "./panels/shortcut_table";
@@ -80,7 +81,10 @@ function serve(
   new RunBar(model, connection, values, commands);
   new SettingsForm(model, values);
   new Guess(model, connection, commands);
-  if (display) new Covariances(display.compute, model, connection, commands);
+  if (display) {
+    new Covariances(display.compute, model, connection, commands);
+    new PatternDialog(display.show_pattern, model, connection, commands);
+  }
   new Iterations(model);
   new Log(model);
   void connection.run();

@@ -31,7 +31,7 @@ await runTest(makeFile, async (url, browser) => {
   });
 
   await step("what needs a server is not shown", async () => {
-    for (const id of ["status", "open", "save", "optimize", "guess", "chart", "tab-settings", "tab-log", "play", "record"]) {
+    for (const id of ["status", "open", "save", "optimize", "guess", "chart", "tab-settings", "tab-log", "tab-element", "play", "record"]) {
       if (!await live.page.locator(`#${id}`).isVisible()) fail(`the server's page has no ${id}`);
       if (await page.locator(`#${id}`).isVisible()) fail(`the file's page has ${id}`);
     }

@@ -35,6 +35,9 @@ export class Display {
   readonly compute = create("button",
     { id: "compute-uncertainty", type: "button", className: "needs-server", disabled: true }, "Compute");
   private readonly legend = create("div", { id: "legend" });
+  /** Shows the pattern of H; see PatternDialog. */
+  readonly show_pattern = create("button",
+    { id: "show-pattern", type: "button", className: "needs-server", disabled: true }, "Pattern of H and L…");
   private readonly reset = create("button", { id: "reset-display", type: "button" }, "Reset to defaults");
 
   constructor(private readonly view: SceneView) {
@@ -79,7 +82,7 @@ export class Display {
     if (structure.edges.length > 0) parts.push(fieldset("Opacity of edges", this.opacities(structure)));
     parts.push(fieldset("Picture", [this.background(theme)]));
     const form = byId("display");
-    form.replaceChildren(...parts, this.reset);
+    form.replaceChildren(...parts, create("div", { className: "row" }, this.reset, this.show_pattern));
     form.oninput = () => this.apply();
     this.updateTexts();
   }

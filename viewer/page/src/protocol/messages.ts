@@ -166,11 +166,30 @@ export interface Form {
   settings: Setting[];
 }
 
+export interface PatternPicture {
+  name: "H_by_id" | "H_ordered" | "L_by_id" | "L_ordered";
+  blocks: number;
+  /** False if there are more blocks, and only the first rows are in the picture. */
+  is_complete: boolean;
+  /** The blocks in each cell, row by row. */
+  counts: Uint32Array;
+}
+
+/** The lower triangle of H, and its factor L. */
+export interface Pattern {
+  /** The number of block rows. */
+  size: number;
+  /** The number of cells in each row of a picture. */
+  cells: number;
+  pictures: PatternPicture[];
+}
+
 export type Message =
   | { kind: "state"; state: StateMessage }
   | { kind: "form"; form: Form }
   | { kind: "structure"; structure: Structure }
-  | { kind: "frame"; frame: Frame };
+  | { kind: "frame"; frame: Frame }
+  | { kind: "pattern"; pattern: Pattern };
 
 /** The values of settings, by their names. */
 export type SettingTexts = Record<string, string>;
