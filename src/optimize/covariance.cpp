@@ -14,16 +14,32 @@ namespace boxplus {
 
 class CovarianceMaker {
  public:
+  static Covariance make(const Graph& graph, const Options& options, std::span<const VertexRef> vertices,
+                         bool joint) {
+    try {
+      return CovarianceMaker(graph, options, joint).make(vertices);
+    } catch (const Stopped&) {
+      Covariance stopped;
+      stopped.status_ = Covariance::Status::kStopped;
+      stopped.message_ = "there is no covariance: the computation was stopped";
+      return stopped;
+    }
+  }
+
+ private:
   CovarianceMaker(const Graph& graph, const Options& options, bool joint)
       : graph_(graph),
         options_(options),
+        stop_(options.stop),
         plan_(make_plan(graph, {.level = options.level,
                                 .vertices = options.vertices,
                                 .edges = options.edges,
                                 .gauge = options.gauge,
-                                .threads = resolved_threads(options)})),
+                                .threads = resolved_threads(options),
+                                .stop = stop_})),
         linearizer_(graph, plan_) {
     result_.is_joint_ = joint;
+    linearizer_.set_stop(stop_);
   }
 
   Covariance make(std::span<const VertexRef> vertices) {
@@ -35,7 +51,6 @@ class CovarianceMaker {
     return std::move(result_);
   }
 
- private:
   static constexpr std::uint32_t kNoBlock = 0xFFFFFFFFu;
 
   /// Finds the block of each vertex in H. Vertices that do not move have no block.
@@ -98,10 +113,11 @@ class CovarianceMaker {
 
   void factorize() {
     linearizer_.linearize({options_.numeric_jacobians, options_.triggs_correction});
+    stop_.check();
     solver_ = make_linear_solver(LinearSolverKind::kBlockCholesky);
     solver_->analyze(
         plan_.structure,
-        {.threads = resolved_threads(options_), .last = plan_.loose_blocks, .may_be_singular = true});
+        {.threads = resolved_threads(options_), .last = plan_.loose_blocks, .may_be_singular = true}, stop_);
     const AssembledSystem system(plan_.structure, linearizer_.values());
     stiffness_.assign(plan_.scalars(), 0.0);
     for (const std::uint32_t scalar : plan_.held_scalars) {
@@ -109,9 +125,11 @@ class CovarianceMaker {
           std::upper_bound(plan_.structure.offset.begin(), plan_.structure.offset.end(), scalar);
       hold(static_cast<std::uint32_t>(next - plan_.structure.offset.begin() - 1), scalar);
     }
-    FactorResult factor = solver_->factorize(system, {1.0, stiffness_.data()});
+    const SolveControl control{.stop = stop_};
+    FactorResult factor = solver_->factorize(system, {1.0, stiffness_.data()}, control);
     while (factor.status == LinearStatus::kNotPositiveDefinite && hold(factor))
-      factor = solver_->factorize(system, {1.0, stiffness_.data()});
+      factor = solver_->factorize(system, {1.0, stiffness_.data()}, control);
+    stop_.check();
     if (factor.status == LinearStatus::kOk) return;
     const VertexRef vertex = plan_.block_vertex[factor.failed_block];
     if (factor.status == LinearStatus::kNotFinite) {
@@ -160,7 +178,8 @@ class CovarianceMaker {
     }
     if (wanted.empty()) return;
     InverseBlocks inverse(plan_.structure, wanted);
-    if (!inverse.compute(*solver_)) {
+    if (!inverse.compute(*solver_, stop_)) {
+      stop_.check();
       fail(Covariance::Status::kNotFinite, plan_.block_vertex[std::max(wanted[0].row, wanted[0].column)],
            "the inverse of H overflows");
       return;
@@ -203,6 +222,7 @@ class CovarianceMaker {
 
   const Graph& graph_;
   const Options& options_;
+  StopToken stop_;
   Plan plan_;
   Linearizer linearizer_;
   std::shared_ptr<LinearSolver> solver_;
@@ -212,7 +232,7 @@ class CovarianceMaker {
 };
 
 Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options) {
-  return CovarianceMaker(graph, options, true).make(vertices);
+  return CovarianceMaker::make(graph, options, vertices, true);
 }
 
 Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices, const Options& options) {
@@ -221,7 +241,7 @@ Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> verti
 
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options) {
-  return CovarianceMaker(graph, options, false).make(vertices);
+  return CovarianceMaker::make(graph, options, vertices, false);
 }
 
 const Covariance::Place& Covariance::place(VertexRef vertex) const {

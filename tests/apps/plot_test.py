@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests the pictures of graphs that `boxplus plot` draws."""
 
+import base64
+import json
 import os
 import re
 import struct
@@ -65,6 +67,19 @@ def content_of(pdf):
     length = int(re.search(rb"/Length (\d+)", pdf)[1])
     stream = pdf.index(b"stream\n") + len(b"stream\n")
     return zlib.decompress(pdf[stream:stream + length]).decode()
+
+STATE, STRUCTURE, FRAME, FORM = 1, 2, 3, 4
+
+def messages_of(page):
+    """The messages in a page, as pairs of kind and payload."""
+    stream = base64.b64decode(re.search(r'id="saved-stream">([^<]*)</script>', page)[1], validate=True)
+    messages, at = [], 0
+    while at < len(stream):
+        size, kind = struct.unpack_from("<II", stream, at)
+        messages.append((kind, stream[at + 8:at + 8 + size]))
+        assert len(messages[-1][1]) == size
+        at += 8 + size
+    return messages
 
 class PlotTest(CommandCase):
     def drawn(self, *inputs, stdin=""):
@@ -154,11 +169,35 @@ class PlotTest(CommandCase):
         self.assertTrue(self.file_drawn("a.svg", "-", stdin=CHAIN).startswith(b"<svg "))
         self.assertTrue(self.file_drawn("a.PDF", "-", stdin=CHAIN).startswith(b"%PDF-"))
         self.assertTrue(self.file_drawn("a.png", "-", stdin=CHAIN).startswith(b"\x89PNG"))
-        for words, text in ((["-o", self.path / "a.jpg"], "expected a name that ends with .svg, .pdf or .png"),
+        for words, text in ((["-o", self.path / "a.jpg"], "expected a name that ends with .svg, .pdf, .png or .html"),
                             (["-o", self.path / "b.svg", "--format", "png"], "--format: expected svg")):
             self.assert_refused(run("plot", "-", *words, stdin=CHAIN), text)
         done = subprocess.run([BOXPLUS, "plot", "-", "-o", "-", "--format", "pdf"], input=CHAIN.encode(), capture_output=True, check=True)
         self.assertTrue(done.stdout.startswith(b"%PDF-"))
+
+    def test_a_page_contains_what_the_viewer_sends_first(self):
+        done = run("plot", self.written("chain.g2o", CHAIN), "-o", self.path / "a.html")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"a\.html: one graph, \d+ kB\n\Z")
+        page = (self.path / "a.html").read_text(encoding="utf-8")
+        self.assertTrue(page.startswith("<!doctype html>") and page.endswith("</html>\n"))
+        messages = messages_of(page)
+        self.assertEqual([kind for kind, _ in messages], [STATE, FORM, STRUCTURE, FRAME])
+        state = json.loads(messages[0][1])
+        self.assertEqual((state["file"]["name"], state["file"]["vertices"], state["file"]["edges"]), ("chain.g2o", 4, 3))
+        self.assertEqual(state["chi2"], 0)
+
+    def test_the_page_of_a_robust_graph_has_its_robust_chi2(self):
+        outlier = CHAIN + f"EDGE_SE2 0 3 9 9 0 {INFORMATION}\n"
+        chi2 = [json.loads(messages_of(run("plot", "-", "-o", "-", "--format", "html", *options, stdin=outlier).stdout)[0][1])["chi2"]
+                for options in ((), ("--kernel", "Huber"))]
+        self.assertLess(chi2[1], chi2[0] / 2)
+
+    def test_options_of_pictures_are_refused_for_a_page(self):
+        chain = self.written("chain.g2o", CHAIN)
+        for words, name in (([chain], "AFTER"), (["--truth", chain], "--truth"), (["--title", "a"], "--title"), (["--ellipses"], "--ellipses")):
+            self.assert_refused(run("plot", chain, *words, "-o", self.path / "a.html"), f"{name}: expected a picture", "got a page (.html)")
+        self.assertFalse((self.path / "a.html").exists())
 
     def test_a_png_shows_the_trajectory_in_its_colors(self):
         width, height, rows = pixels_of(self.file_drawn("a.png", "-", "--bare", "--size", "300x200", "--resolution", 1, stdin=CHAIN))

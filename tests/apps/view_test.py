@@ -331,6 +331,18 @@ class Files(ViewCase):
         self.assertEqual(viewer.save(stream.token, "unheard")[0], 400)
         self.assertEqual(viewer.save("", "g2o")[0], 403)
 
+    def test_show_the_pattern_of_H(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        status, message = viewer.request("GET", "/pattern", headers={"X-Boxplus-Token": stream.token})
+        self.assertEqual((status, struct.unpack_from("<II", message)), (200, (len(message) - 8, 5)))
+        (size,) = struct.unpack_from("<I", message, 8)
+        pattern = json.loads(message[12:12 + size])
+        self.assertLess(pattern["size"], stream.state["file"]["vertices"] + 1)
+        H, _, _, L = (picture["blocks"] for picture in pattern["pictures"])
+        self.assertLessEqual(H, L)
+        self.assertEqual(viewer.request("GET", "/pattern")[0], 403)
+
 class Elements(ViewCase):
     def test_are_described_with_their_errors(self):
         viewer = self.viewer()

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <atomic>
 #include <limits>
 #include <map>
 #include <random>
@@ -382,6 +383,20 @@ TEST(Covariance, IsRefusedIfAnErrorIsNotFinite) {
   const Covariance result = covariance(graph, {a});
   EXPECT_EQ(result.status(), Covariance::Status::kNotFinite);
   EXPECT_THAT(result.message(), HasSubstr("vertex 5"));
+}
+
+TEST(Covariance, CanBeStopped) {
+  Graph graph;
+  const auto poses = add_noisy_grid(graph, 3);
+  std::atomic<bool> stop = true;
+  Options options;
+  options.stop = &stop;
+  const Covariance result = marginal_covariances(graph, poses, options);
+  EXPECT_EQ(result.status(), Covariance::Status::kStopped);
+  EXPECT_FALSE(result.failed_vertex().has_value());
+  EXPECT_THROW((void)result.of(poses[1]), Error);
+  stop = false;
+  EXPECT_TRUE(marginal_covariances(graph, poses, options).ok());
 }
 
 TEST(Covariance, RefusesBlocksThatWereNotRequested) {

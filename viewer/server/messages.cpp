@@ -159,18 +159,34 @@ Message structure_message(const Structure& structure, std::uint64_t graph, std::
 }
 
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const Errors& errors) {
+                      const Errors& errors, const Uncertainty& uncertainty) {
   ArrayMessage message({{"structure", facts.structure},
                         {"sequence", facts.sequence},
                         {"iteration", facts.iteration},
                         {"chi2", facts.chi2},
-                        {"center", structure.center}});
+                        {"center", structure.center},
+                        {"uncertainty", uncertainty.note}});
   message.add("positions", positions.points);
   message.add("orientations", positions.orientations);
   if (!errors.points.empty()) message.add("errors", errors.points);
   if (!errors.chi2.empty()) message.add("chi2", errors.chi2);
   if (!errors.weights.empty()) message.add("weights", errors.weights);
+  if (!uncertainty.vertices.empty()) {
+    message.add("uncertain", uncertainty.vertices);
+    message.add("covariances", uncertainty.covariances);
+  }
   return message.make(MessageKind::kFrame);
+}
+
+Message pattern_message(const Pattern& pattern) {
+  Json pictures = Json::array();
+  const std::array all{std::pair{"H_by_id", &pattern.H_by_id}, std::pair{"H_ordered", &pattern.H_ordered},
+                       std::pair{"L_by_id", &pattern.L_by_id}, std::pair{"L_ordered", &pattern.L_ordered}};
+  for (const auto& [name, picture] : all)
+    pictures.push_back({{"name", name}, {"blocks", picture->blocks}, {"is_complete", picture->is_complete}});
+  ArrayMessage message({{"size", pattern.size}, {"cells", pattern.cells}, {"pictures", pictures}});
+  for (const auto& [name, picture] : all) message.add(name, picture->counts);
+  return message.make(MessageKind::kPattern);
 }
 
 }  // namespace boxplus::viewer

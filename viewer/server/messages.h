@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "viewer/scene/errors.h"
+#include "viewer/scene/pattern.h"
 #include "viewer/scene/positions.h"
 #include "viewer/scene/structure.h"
+#include "viewer/scene/uncertainty.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
 
-enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm };
+enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm, kPattern };
 
 /// A message with its length and kind, as it is sent. Pages share it.
 using Message = std::shared_ptr<const std::string>;
@@ -37,12 +39,14 @@ Message form_message(const std::vector<FormatName>& formats, std::span<const Set
 Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number);
 
 struct FrameFacts {
-  std::uint64_t structure, sequence;
-  int iteration;
-  double chi2;
+  std::uint64_t structure = 0, sequence = 0;
+  int iteration = 0;
+  double chi2 = 0;
 };
-/// The vectors of `errors` may be empty.
+/// The vectors of `errors` and `uncertainty` may be empty.
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const Errors& errors);
+                      const Errors& errors, const Uncertainty& uncertainty = {});
+
+Message pattern_message(const Pattern& pattern);
 
 }  // namespace boxplus::viewer

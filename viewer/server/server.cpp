@@ -92,6 +92,8 @@ void carry_out(const Command& command, Workspace& workspace) {
       return workspace.guess(command.start);
     case Command::Kind::kEdit:
       return workspace.edit(command.structure, command.edit);
+    case Command::Kind::kCovariances:
+      return workspace.covariances();
     case Command::Kind::kReset:
       return workspace.reset();
     case Command::Kind::kStop:
@@ -133,6 +135,10 @@ class Server::Implementation {
       response.set_content(std::string(icon_svg()), "image/svg+xml");
     });
     http_.Get("/stream", [this](const auto&, auto& response) { send_stream(response); });
+    http_.Get("/pattern", [this](const auto& request, auto& response) {
+      if (has_token(request, response))
+        response.set_content(std::string(*workspace_.pattern()), "application/octet-stream");
+    });
     http_.Get("/graph", [this](const auto& request, auto& response) { send_graph(request, response); });
     http_.Get("/element", [this](const auto& request, auto& response) {
       if (!has_token(request, response)) return;

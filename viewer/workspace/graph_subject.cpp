@@ -64,9 +64,19 @@ Message GraphSubject::structure(std::uint64_t graph, std::uint64_t number) const
 }
 
 Message GraphSubject::frame(const FrameFacts& facts, bool at_rest) const {
+  return frame(facts, at_rest, {});
+}
+
+Message GraphSubject::uncertain_frame(const FrameFacts& facts, Listener& listener) const {
+  const Uncertainty uncertainty = read_uncertainty(*graph_, structure_, listener.stop_flag());
+  listener.log(uncertainty.vertices.empty() ? "warning" : "info", uncertainty.note);
+  return frame(facts, true, uncertainty);
+}
+
+Message GraphSubject::frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const {
   const Positions positions = read_positions(*graph_, structure_);
   const Errors errors = at_rest ? read_errors(*graph_, structure_) : Errors();
-  return frame_message(facts, structure_, positions, errors);
+  return frame_message(facts, structure_, positions, errors, uncertainty);
 }
 
 std::string GraphSubject::describe(const ElementName& name, std::uint64_t structure) const {
@@ -115,6 +125,10 @@ void GraphSubject::restore() {
 
 void GraphSubject::drop_estimates() {
   graph_->discard_top();
+}
+
+Message GraphSubject::pattern(const std::atomic<bool>& stop) const {
+  return pattern_message(read_pattern(*graph_, StopToken(&stop)));
 }
 
 std::string GraphSubject::formatted(const std::string& format) const {

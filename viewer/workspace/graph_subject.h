@@ -27,6 +27,7 @@ class GraphSubject final : public Subject {
   bool update_structure() override;
   Message structure(std::uint64_t graph, std::uint64_t number) const override;
   Message frame(const FrameFacts& facts, bool at_rest) const override;
+  Message uncertain_frame(const FrameFacts& facts, Listener& listener) const override;
   std::string describe(const ElementName& name, std::uint64_t structure) const override;
   /// Refused if the graph is that of a program, because the program does not expect it.
   std::string edit(const Edit& edit) override;
@@ -37,6 +38,7 @@ class GraphSubject final : public Subject {
   void keep_estimates() override { graph_->push(); }
   void restore() override;
   void drop_estimates() override;
+  Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 
   /// Adds the notes on the file to the log.
@@ -45,6 +47,7 @@ class GraphSubject final : public Subject {
  private:
   Report optimize(const RunSettings& settings, Listener& listener, bool is_shown);
   Outcome outcome(const Report& report) const;
+  Message frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const;
   void set_kernels(const RunSettings& settings, Listener& listener);
 
   std::optional<GraphFile> own_;

@@ -62,6 +62,8 @@ class Subject {
   virtual Message structure(std::uint64_t graph, std::uint64_t number) const = 0;
   /// The current estimates, in the order of the structure. `at_rest` is false while a run goes on.
   virtual Message frame(const FrameFacts& facts, bool at_rest) const = 0;
+  /// The frame at rest with the covariances of positions, or with the reason why there are none.
+  virtual Message uncertain_frame(const FrameFacts& facts, Listener& listener) const = 0;
 
   /// What there is to say about an element, as JSON with the number of the structure. It must be fast. Throws
   /// InvalidArgument if there is no such element.
@@ -83,6 +85,8 @@ class Subject {
   virtual void restore() = 0;
   /// Ends what keep_estimates() began.
   virtual void drop_estimates() = 0;
+  /// Where H and L have blocks. Throws as read_pattern() does.
+  virtual Message pattern(const std::atomic<bool>& stop) const = 0;
   /// The graph as a file. Throws InvalidArgument if the format cannot contain it.
   virtual std::string formatted(const std::string& format) const = 0;
 };

@@ -67,6 +67,10 @@ void Workspace::guess(const std::string& start) {
   request({.kind = Job::Kind::kGuess, .settings = {{"start", start}}, .name = start});
 }
 
+void Workspace::covariances() {
+  request({.kind = Job::Kind::kCovariances});
+}
+
 void Workspace::reset() {
   request({.kind = Job::Kind::kReset});
 }
@@ -120,11 +124,24 @@ std::string Workspace::describe(std::uint64_t structure, const ElementName& name
   return subject_->describe(name, structure);
 }
 
+Message Workspace::pattern() {
+  Message pattern;
+  work_here(true, "computing the pattern", [&] {
+    try {
+      pattern = subject_->pattern(stop_);
+    } catch (const Stopped&) {
+      throw InvalidArgument("the computation of the pattern was stopped");
+    }
+  });
+  return pattern;
+}
+
 /// Works on the calling thread instead of the worker's.
 void Workspace::work_here(bool needs_graph, const char* activity, const std::function<void()>& work) {
   {
     const std::lock_guard lock(mutex_);
     claim(needs_graph);
+    stop_ = false;
     activity_ = activity;
   }
   try {
@@ -142,6 +159,17 @@ void Workspace::end() {
   stop_ = true;
   has_job_.notify_all();
   has_news_.notify_all();
+}
+
+const char* Workspace::activity_of(Job::Kind kind) {
+  switch (kind) {
+    case Job::Kind::kOpen:
+      return "reading";
+    case Job::Kind::kCovariances:
+      return "computing covariances";
+    default:
+      return "optimizing";
+  }
 }
 
 /// Makes the caller, who holds mutex_, the only one that uses the graph, until release().
@@ -167,7 +195,7 @@ void Workspace::request(Job job) {
   if (!is_busy_ && subject_) subject_->check(job.settings);
   claim(job.kind != Job::Kind::kOpen);
   stop_ = false;
-  activity_ = job.kind == Job::Kind::kOpen ? "reading" : "optimizing";
+  activity_ = activity_of(job.kind);
   job_ = std::move(job);
   has_job_.notify_all();
 }
@@ -256,6 +284,8 @@ void Workspace::carry_out(const Job& job) {
       return read(job);
     case Job::Kind::kGuess:
       return make_guess(job.name);
+    case Job::Kind::kCovariances:
+      return add_covariances();
     case Job::Kind::kReset:
       return restore();
     case Job::Kind::kStep:
@@ -399,11 +429,19 @@ void Workspace::update_structure() {
 
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
   update_structure();
-  const std::uint64_t sequence = sequence_ + 1;  // only this thread writes it
-  Message message = subject_->frame({structure_number_, sequence, iteration, chi2}, at_rest);
+  frame_facts_ = {structure_number_, frame_facts_.sequence + 1, iteration, chi2};
+  publish(subject_->frame(frame_facts_, at_rest));
+}
+
+void Workspace::add_covariances() {
+  ++frame_facts_.sequence;
+  publish(subject_->uncertain_frame(frame_facts_, *this));
+}
+
+void Workspace::publish(Message frame) {
   const std::lock_guard lock(mutex_);
-  frame_message_ = std::move(message);
-  sequence_ = sequence;
+  frame_message_ = std::move(frame);
+  sequence_ = frame_facts_.sequence;
   ++version_;
   has_news_.notify_all();
 }

@@ -53,6 +53,8 @@ class Workspace final : private Listener {
   void step(const Settings& settings);
   /// Replaces the estimates by an initial guess: a value of the setting "start".
   void guess(const std::string& start);
+  /// Computes the covariances of positions. They are in the newest frame, until the estimates change.
+  void covariances();
   /// Restores the estimates of the file. Edits stay.
   void reset();
   /// Reads a file and replaces the graph. If this fails, the graph stays, and the state has the message.
@@ -75,6 +77,10 @@ class Workspace final : private Listener {
   /// out, and InvalidArgument if there is no graph, if its structure has another number, or if it has no such
   /// element.
   std::string describe(std::uint64_t structure, const ElementName& name) const;
+
+  /// Returns where H and L have blocks. Throws Busy while a command is carried out, and InvalidArgument if
+  /// there is no graph, if it is too large, or if it was stopped.
+  Message pattern();
 
   /// Stops the command that is carried out, and waits for its end. From now on, the calling thread may use
   /// the graph, and commands of pages are refused, except for stop().
@@ -118,7 +124,7 @@ class Workspace final : private Listener {
 
  private:
   struct Job {
-    enum class Kind : std::uint8_t { kNone, kRun, kStep, kGuess, kReset, kOpen };
+    enum class Kind : std::uint8_t { kNone, kRun, kStep, kGuess, kCovariances, kReset, kOpen };
     Kind kind = Kind::kNone;
     Settings settings = {};
     std::string name = {}, text = {};  ///< of the file to open; or the name of the initial guess
@@ -132,6 +138,7 @@ class Workspace final : private Listener {
   void log(const char* level, std::string text) override;
   const std::atomic<bool>& stop_flag() const override { return stop_; }
 
+  static const char* activity_of(Job::Kind kind);
   void claim(bool needs_graph);
   void work_here(bool needs_graph, const char* activity, const std::function<void()>& work);
   void release();
@@ -148,12 +155,15 @@ class Workspace final : private Listener {
   void finish(const Outcome& outcome);
   void update_structure();
   void make_frame(int iteration, double chi2, bool at_rest);
+  void add_covariances();
+  void publish(Message frame);
 
   const Opener opener_;
 
   // Used only by the thread that has claimed the workspace.
   std::unique_ptr<Subject> subject_;
   int edits_ = 0;
+  FrameFacts frame_facts_;  // of the newest frame
   std::chrono::steady_clock::time_point next_frame_{};
 
   std::atomic<bool> stop_ = false, ending_ = false;

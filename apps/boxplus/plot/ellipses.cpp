@@ -8,6 +8,7 @@
 #include "base/symmetric_eigen.h"
 #include "boxplus/optimize/covariance.h"
 #include "plot/colors.h"
+#include "viewer/scene/uncertainty.h"
 
 namespace boxplus::app {
 namespace {
@@ -15,21 +16,16 @@ namespace {
 /// The 95 % quantile of the chi-squared distribution with two degrees of freedom: −2 ln 0.05.
 constexpr double kChi2 = 5.991464547107979;
 
-/// Returns the matrix that maps vectors to the picture plane. For a pose, the vectors are in the frame of the
-/// pose; for a point, they are in the world frame.
-Eigen::MatrixXd to_picture(const detail::Frame& frame, const View& view) {
-  const int d = frame.dimension;
-  Eigen::MatrixXd plane(2, d), rotation = Eigen::MatrixXd::Identity(d, d);
-  for (int axis = 0; axis < d; ++axis) {
+/// Returns the matrix that maps vectors of the world to the picture plane.
+Eigen::MatrixXd to_picture(int dimension, const View& view) {
+  Eigen::MatrixXd plane(2, dimension);
+  for (int axis = 0; axis < dimension; ++axis) {
     std::array<double, 3> unit{};
     unit[static_cast<std::size_t>(axis)] = 1;
-    const Spot spot = project(unit, d, view);
+    const Spot spot = project(unit, dimension, view);
     plane.col(axis) << spot[0], spot[1];
-    if (!frame.has_rotation) continue;
-    for (int row = 0; row < d; ++row)
-      rotation(row, axis) = frame.rotation[static_cast<std::size_t>(row * d + axis)];
   }
-  return plane * rotation;
+  return plane;
 }
 
 double length(const std::array<double, 2>& v) {
@@ -61,9 +57,8 @@ std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std
   for (const VertexRef& vertex : vertices) {
     detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
-    // The first entries of the tangent vector of a pose or a point are its translation.
-    const Eigen::MatrixXd P = to_picture(frame, view);
-    const Eigen::MatrixXd of_position = covariance.of(vertex).topLeftCorner(frame.dimension, frame.dimension);
+    const Eigen::MatrixXd P = to_picture(frame.dimension, view);
+    const Eigen::MatrixXd of_position = viewer::position_covariance(graph, vertex, covariance);
     const SymmetricEigen axes = symmetric_eigen(P * of_position * P.transpose());
     const auto half_axis = [&](int k) {
       const Eigen::Vector2d v = std::sqrt(kChi2 * std::max(0.0, axes.values[k])) * axes.vectors.col(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus plot BEFORE [AFTER] -o PICTURE: draws graphs side by side.
+// boxplus plot BEFORE [AFTER] -o PICTURE: draws graphs side by side, or makes a page of one graph.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,8 +15,10 @@
 #include "plot/bundle_scene.h"
 #include "plot/ellipses.h"
 #include "plot/error_chart.h"
+#include "plot/graph_page.h"
 #include "plot/plot_options.h"
 #include "plot/truth.h"
+#include "view/serving.h"
 #include "viewer/scene/bundle_view.h"
 
 namespace boxplus::app {
@@ -34,13 +36,16 @@ constexpr const char* kFooter =
     "viewer, and shows most points; points far away are left out and counted.\n"
     "Ellipses show the covariances at the estimates, relative to the fixed vertex or, if no vertex is\n"
     "fixed, to the first pose. Ellipses that overlap others or are too small to see are left out.\n"
+    "A page (.html) is what boxplus view shows, as one file that needs no server: one can turn the graph,\n"
+    "choose colors and sizes, and save pictures, but not optimize.\n"
     "\n"
     "Examples:\n"
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
     "  boxplus optimize before.g2o -o after.g2o\n"
     "  boxplus plot before.g2o after.g2o -o streets.svg --truth truth.g2o\n"
     "  boxplus plot sparse/0 sparse/1 -o errors.svg --reprojection-errors\n"
-    "  boxplus plot after.g2o -o figure.pdf --bare --axes --size 252x200 --font-size 7";
+    "  boxplus plot after.g2o -o figure.pdf --bare --axes --size 252x200 --font-size 7\n"
+    "  boxplus plot after.g2o -o graph.html";
 
 struct Input {
   std::string name;   ///< the name of the file, for messages
@@ -119,16 +124,27 @@ std::string picture_of_errors(const std::vector<Input>& inputs, const PlotArgume
   return draw_error_charts(std::move(charts), arguments.picture, format, arguments.resolution);
 }
 
-int plot_files(const PlotArguments& arguments) {
-  const PictureFormat format = format_of(arguments);
-  check_files(arguments);
+std::string make_picture(const PlotArguments& arguments, PictureFormat format) {
   const std::vector<Input> inputs = read_inputs(arguments);
-  const std::string picture = arguments.has_error_chart ? picture_of_errors(inputs, arguments, format)
-                                                        : picture_of_graphs(inputs, arguments, format);
-  write_output(arguments.output, picture);
+  return arguments.has_error_chart ? picture_of_errors(inputs, arguments, format)
+                                   : picture_of_graphs(inputs, arguments, format);
+}
+
+std::string make_page(const PlotArguments& arguments) {
+  GraphFile file = load_graph(arguments.before, arguments.reading);
+  set_kernels(file.graph, arguments.kernel);
+  return make_graph_page(std::move(file), shown_name(arguments.before));
+}
+
+int plot_files(const PlotArguments& arguments, const CLI::App& command) {
+  const PlotFormat format = format_of(arguments);
+  if (!format) refuse_options_of_pictures(command);
+  check_files(arguments);
+  const std::string output = format ? make_picture(arguments, *format) : make_page(arguments);
+  write_output(arguments.output, output);
   if (arguments.output != kStandardStream) {
     fmt::print("{}: {}, {} kB\n", escaped(arguments.output),
-               inputs.size() > 1 ? "before and after" : "one graph", (picture.size() + 999) / 1000);
+               arguments.after.empty() ? "one graph" : "before and after", (output.size() + 999) / 1000);
   }
   return kSuccess;
 }
@@ -138,10 +154,13 @@ int plot_files(const PlotArguments& arguments) {
 void add_plot(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand(
-      "plot", "Draws one graph, or two graphs side by side, as an SVG, PDF or PNG picture");
+      "plot",
+      "Draws one graph, or two graphs side by side, as an SVG, PDF or PNG picture; or one graph as a page");
   add_plot_options(*command, *arguments);
   command->footer(kFooter);
-  command->callback([&action, arguments] { action = [arguments] { return plot_files(*arguments); }; });
+  command->callback([&action, arguments, command] {
+    action = [arguments, command] { return plot_files(*arguments, *command); };
+  });
 }
 
 }  // namespace boxplus::app

@@ -16,8 +16,11 @@
 namespace boxplus::app {
 namespace {
 
-const Choices<PictureFormat> kFormats{
-    {"svg", PictureFormat::kSvg}, {"pdf", PictureFormat::kPdf}, {"png", PictureFormat::kPng}};
+const Choices<PlotFormat> kFormats{{"svg", PictureFormat::kSvg},
+                                   {"pdf", PictureFormat::kPdf},
+                                   {"png", PictureFormat::kPng},
+                                   {"html", std::nullopt}};
+constexpr const char* kLookGroup = "Look";
 const Choices<View> kViews{{"top", {0, 90}}, {"side", {0, 0}}, {"iso", {-45, 35.264389682754654}}};
 
 /// Parses "A<separator>B" as two finite numbers.
@@ -70,7 +73,8 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
   command.add_option("AFTER", arguments.after, "The same graph after optimization")->check(file_name());
   command
       .add_option("-o,--output", arguments.output,
-                  "Where to write the picture (.svg, .pdf or .png); - is standard output")
+                  "Where to write the picture (.svg, .pdf or .png) or the page (.html), in which one can "
+                  "move and zoom; - is standard output")
       ->type_name("FILE")
       ->check(file_name())
       ->required();
@@ -82,8 +86,8 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
               if (word == chosen) arguments.format = format;
             }
           },
-          "The format of the picture, if the file name has no extension")
-      ->check(one_of({"svg", "pdf", "png"}));
+          "The format of the output, if the file name has no extension")
+      ->check(one_of({"svg", "pdf", "png", "html"}));
   command
       .add_option(
           "--truth", arguments.truth,
@@ -95,7 +99,9 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
 
 void add_look_options(CLI::App& command, PlotArguments& arguments) {
   PictureOptions& picture = arguments.picture;
-  command.add_option("--title", picture.title, "The title of the picture")->type_name("TEXT")->group("Look");
+  command.add_option("--title", picture.title, "The title of the picture")
+      ->type_name("TEXT")
+      ->group(kLookGroup);
   command
       .add_option_function<std::string>(
           "--size",
@@ -107,43 +113,43 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
           "The size of the picture in pixels (in PDF, points of 1/72 inch); the default is 620x666 per panel")
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(complaint_about_size, ""))
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_option("--font-size", picture.font_size,
                   "The size of the text; the default is proportional to the panels")
       ->type_name("X")
       ->check(number_within(1, 200))
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_option("--resolution", arguments.resolution,
                   "PNG: the number of pixels in the file per pixel of the picture")
       ->type_name("X")
       ->check(number_within(0.1, 10))
       ->capture_default_str()
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_flag("--bare", picture.is_bare,
                 "For papers: draw only the graphs, without frame, header, legend, scale bar and background")
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_flag("--axes", picture.has_axes,
                 "Draw axes with values in meters, or arrows if the view is not along an axis")
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_flag(
           "--ellipses", arguments.has_ellipses,
           "Draw ellipses that contain the poses and points of the last graph with 95 % probability; optimize "
           "this graph first")
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_flag("--reprojection-errors", arguments.has_error_chart,
                 "Bundle adjustment: draw the reprojection errors of each image as a box chart, not the graph")
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_flag("--equal-scale", picture.has_one_scale,
                 "Always use one scale for both panels; by default, each panel has its own if one graph would "
                 "be tiny")
-      ->group("Look");
+      ->group(kLookGroup);
   command
       .add_option_function<std::string>(
           "--view", [&arguments](const std::string& text) { arguments.view = *view_of(text); },
@@ -151,7 +157,7 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
       ->type_name("VIEW")
       ->check(CLI::Validator(complaint_about_view, ""))
       ->default_str("-31.5,24")
-      ->group("Look");
+      ->group(kLookGroup);
 }
 
 }  // namespace
@@ -163,9 +169,9 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments) {
   add_reading_options(command, arguments.reading);
 }
 
-PictureFormat format_of(const PlotArguments& arguments) {
+PlotFormat format_of(const PlotArguments& arguments) {
   const std::string extension = arguments.output == kStandardStream ? "" : extension_of(arguments.output);
-  if (extension.empty()) return arguments.format.value_or(PictureFormat::kSvg);
+  if (extension.empty()) return arguments.format ? *arguments.format : PictureFormat::kSvg;
   for (const auto& [word, format] : kFormats) {
     if (word != extension) continue;
     if (arguments.format && *arguments.format != format)
@@ -173,8 +179,17 @@ PictureFormat format_of(const PlotArguments& arguments) {
           fmt::format("--format: expected {} for '{}', got another format", word, arguments.output));
     return format;
   }
-  throw InvalidArgument(
-      fmt::format("--output: expected a name that ends with .svg, .pdf or .png, got '{}'", arguments.output));
+  throw InvalidArgument(fmt::format(
+      "--output: expected a name that ends with .svg, .pdf, .png or .html, got '{}'", arguments.output));
+}
+
+void refuse_options_of_pictures(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool is_of_pictures = option->get_group() == kLookGroup || name == "AFTER" || name == "--truth";
+    if (!is_of_pictures || option->count() == 0) continue;
+    throw InvalidArgument(name + ": expected a picture (.svg, .pdf or .png), got a page (.html)");
+  }
 }
 
 }  // namespace boxplus::app

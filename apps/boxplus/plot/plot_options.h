@@ -11,9 +11,12 @@
 
 namespace boxplus::app {
 
+/// The format of the output: that of a picture or, without a value, a page (.html).
+using PlotFormat = std::optional<PictureFormat>;
+
 struct PlotArguments {
   std::string before, after, truth, output;
-  std::optional<PictureFormat> format;
+  std::optional<PlotFormat> format;
   View view;
   PictureOptions picture;
   double resolution = 2;
@@ -29,6 +32,9 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments);
 /// Returns the format that --format names. Without --format, the extension of the output selects the format;
 /// if there is no extension, the format is SVG. Throws InvalidArgument if the extension is unknown or
 /// contradicts --format.
-PictureFormat format_of(const PlotArguments& arguments);
+PlotFormat format_of(const PlotArguments& arguments);
+
+/// Throws InvalidArgument if the parsed command has an option that only pictures have.
+void refuse_options_of_pictures(const CLI::App& command);
 
 }  // namespace boxplus::app

@@ -172,6 +172,16 @@ Message OptimizerSubject::frame(const boxplus::viewer::FrameFacts& facts, bool /
   return frame_message(facts, structure_, drawing_->positions(structure_.center), {});
 }
 
+Message OptimizerSubject::uncertain_frame(const boxplus::viewer::FrameFacts& facts,
+                                          Listener& /*listener*/) const {
+  const boxplus::viewer::Uncertainty none{.note = "the shapes of drawing actions have no covariances"};
+  return frame_message(facts, structure_, drawing_->positions(structure_.center), {}, none);
+}
+
+Message OptimizerSubject::pattern(const std::atomic<bool>& /*stop*/) const {
+  throw InvalidArgument("the pattern of this graph is not known here");
+}
+
 // ---- Settings ----
 
 std::vector<Setting> OptimizerSubject::settings() const {

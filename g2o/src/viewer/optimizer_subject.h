@@ -31,6 +31,8 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   bool update_structure() override;
   boxplus::viewer::Message structure(std::uint64_t graph, std::uint64_t number) const override;
   boxplus::viewer::Message frame(const boxplus::viewer::FrameFacts& facts, bool at_rest) const override;
+  boxplus::viewer::Message uncertain_frame(const boxplus::viewer::FrameFacts& facts,
+                                           boxplus::viewer::Listener& listener) const override;
   std::string describe(const boxplus::viewer::ElementName& name, std::uint64_t structure) const override;
   std::string edit(const boxplus::viewer::Edit& edit) override;
   void check(const boxplus::viewer::Settings& settings) const override;
@@ -42,6 +44,7 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   void keep_estimates() override;
   void restore() override;
   void drop_estimates() override;
+  boxplus::viewer::Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 
  private:

@@ -27,8 +27,9 @@ class [[nodiscard]] Covariance {
  public:
   enum class Status : std::uint8_t {
     kOk,
-    kSingular,  ///< the edges do not determine a vertex; failed_vertex() names it
-    kNotFinite  ///< an error, a Jacobian or a weight is NaN or infinite
+    kSingular,   ///< the edges do not determine a vertex; failed_vertex() names it
+    kNotFinite,  ///< an error, a Jacobian or a weight is NaN or infinite
+    kStopped     ///< Options::stop was raised
   };
 
   Status status() const { return status_; }
@@ -80,8 +81,8 @@ class [[nodiscard]] Covariance {
 /// zero covariance, too, and the covariances of all other vertices are relative to the held vertices. To
 /// choose the reference yourself, fix a vertex or add a prior. Whether a vertex is eliminated does not affect
 /// its covariance. An edge with a robust kernel has the weight ρ′ at the current estimates. The options
-/// `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians` and `triggs_correction` mean the
-/// same as for optimize(); all other options are ignored.
+/// `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians`, `triggs_correction` and `stop` mean
+/// the same as for optimize(); all other options are ignored.
 ///
 /// If H is singular or not finite, status() says so, and failed_vertex() names a vertex (not necessarily a
 /// requested one): fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/se2.h"
+#include "viewer/server/commands.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -113,6 +114,57 @@ TEST(Workspace, OptimizesAsOptimizeDoes) {
   options.start = Start::kAutomatic;
   const Report report = optimize(file.graph, options);
   EXPECT_EQ(state["chi2"].get<double>(), report.chi2_final);
+}
+
+/// The header of the newest frame, after the worker waits.
+Json settled_frame(Workspace::Reader& reader) {
+  Json header;
+  for (bool waits = false; !waits && !reader.has_ended();) {
+    for (const Message& message : reader.wait(10s)) {
+      if (kind_of(message) == MessageKind::kState)
+        waits = !Json::parse(message->substr(8))["busy"].get<bool>();
+      if (kind_of(message) == MessageKind::kFrame) {
+        std::uint32_t size = 0;
+        std::memcpy(&size, message->data() + 8, sizeof size);
+        header = Json::parse(message->substr(12, size));
+      }
+    }
+  }
+  return header;
+}
+
+TEST(Workspace, ShowsCovariancesUntilTheEstimatesChange) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  workspace.optimize({});
+  const Json optimized = settled_frame(reader);
+  EXPECT_EQ(optimized["uncertainty"], "");
+  EXPECT_FALSE(optimized["arrays"].contains("covariances"));
+
+  carry_out(R"({"type": "covariances"})", workspace);
+  const Json uncertain = settled_frame(reader);
+  EXPECT_EQ(uncertain["uncertainty"], "covariances of all 3 positions, relative to vertex 0");
+  EXPECT_EQ(uncertain["arrays"]["uncertain"]["count"], 3);
+  EXPECT_EQ(uncertain["arrays"]["covariances"]["count"], 18);
+  EXPECT_EQ(uncertain["iteration"], optimized["iteration"]);
+  EXPECT_EQ(uncertain["chi2"], optimized["chi2"]);
+  EXPECT_GT(uncertain["sequence"], optimized["sequence"]);
+  Workspace::Reader newcomer(workspace, "");
+  EXPECT_EQ(settled_frame(newcomer), uncertain);
+
+  workspace.reset();
+  EXPECT_EQ(settled_frame(reader)["uncertainty"], "");
+}
+
+TEST(Workspace, SaysWhyThereAreNoCovariances) {
+  Workspace workspace;
+  workspace.show(parse_graph("VERTEX_SE2 4 0 0 0\nVERTEX_SE2 5 0 0 0\n", "loose.g2o"), "loose.g2o");
+  Workspace::Reader reader(workspace, "");
+  workspace.covariances();
+  const Json frame = settled_frame(reader);
+  EXPECT_THAT(frame["uncertainty"].get<std::string>(), HasSubstr("vertex 5"));
+  EXPECT_FALSE(frame["arrays"].contains("covariances"));
 }
 
 TEST(Workspace, RestoresTheEstimatesOfTheFile) {

@@ -5,6 +5,7 @@ import { Model } from "./model";
 import { Banners } from "./panels/banners";
 import { Chart } from "./panels/chart";
 import { Commands } from "./panels/commands";
+import { Covariances } from "./panels/covariances";
 import { Display } from "./panels/display";
 import { byId, setText } from "./panels/dom";
 import { ElementPanel } from "./panels/element";
@@ -12,15 +13,17 @@ import { Files } from "./panels/files";
 import { Guess } from "./panels/guess";
 import { Iterations } from "./panels/iterations";
 import { Log } from "./panels/log";
+import { PatternDialog } from "./panels/pattern";
 import { PictureTools } from "./panels/picture_tools";
 import { RunBar } from "./panels/run_bar";
-import { KEYS_WITH_FOCUS, shortcutGroups } from "./panels/shortcut_table";
+import { KEYS_WITH_FOCUS, shortcutGroups, withoutServer } from "./panels/shortcut_table";
 import { Shortcuts } from "./panels/shortcuts";
 import { Tabs } from "./panels/tabs";
 import { TimeLinePanel } from "./panels/time_line_panel";
 import { TopBar } from "./panels/top_bar";
 import { Connection } from "./protocol/connection";
 import type { Frame, Message } from "./protocol/messages";
+import { savedMessages } from "./protocol/saved_stream";
 import { SceneView } from "./scene/scene_view";
 import { SettingValues } from "./settings/setting_values";
 import { SettingsForm } from "./settings/settings_form";
@@ -40,43 +43,63 @@ function main(): void {
   const banners = new Banners(model);
   const view = createView(banners);
   const tools = view && new PictureTools(view, model, banners);
-  if (view) new Display(view);
+  const display = view && new Display(view);
   const chart = new Chart(model);
   const time_line = view && new TimeLinePanel(model, view, chart);
+  new TopBar(model);
+  new Tabs();
+  window.boxplus = { model, view, time_line };
+  const show = (message: Message) => receive(message, model, view, time_line);
+  const shortcuts = shortcutGroups(tools, time_line);
+  const saved = byId("saved-stream").textContent!;
+  if (saved === "") {
+    new Shortcuts(shortcuts, KEYS_WITH_FOCUS);
+    serve(model, banners, view, display, show);
+  } else {
+    document.body.classList.add("saved");
+    new Shortcuts(withoutServer(shortcuts), KEYS_WITH_FOCUS);
+    savedMessages(saved).forEach(show);
+  }
+}
+
+/** Adds the parts that need a server, and shows what it sends. */
+function serve(
+  model: Model, banners: Banners, view: SceneView | null, display: Display | null, show: (message: Message) => void,
+): void {
   const connection = new Connection({
-    onMessage: (message) => receive(message, model, view, time_line, element),
+    onMessage: (message) => {
+      show(message);
+      if (message.kind === "structure") element?.setStructure(message.structure);
+      if (message.kind === "frame") element?.setFrame();
+    },
     onConnection: (state) => model.setConnection(state),
   });
   const commands = new Commands(banners);
   const element = view && new ElementPanel(model, connection, commands, view);
   const values = new SettingValues();
-  new TopBar(model);
   new Files(model, connection, commands, banners);
   new RunBar(model, connection, values, commands);
   new SettingsForm(model, values);
   new Guess(model, connection, commands);
+  if (display) {
+    new Covariances(display.compute, model, connection, commands);
+    new PatternDialog(display.show_pattern, model, connection, commands);
+  }
   new Iterations(model);
   new Log(model);
-  new Tabs();
-  new Shortcuts(shortcutGroups(tools, time_line), KEYS_WITH_FOCUS);
-  window.boxplus = { model, view, time_line };
   void connection.run();
 }
 
-function receive(
-  message: Message, model: Model, view: SceneView | null, time_line: TimeLinePanel | null, element: ElementPanel | null,
-): void {
+function receive(message: Message, model: Model, view: SceneView | null, time_line: TimeLinePanel | null): void {
   if (message.kind === "state") model.apply(message.state);
   if (message.kind === "form") model.setForm(message.form);
   if (message.kind === "structure") {
     view?.setStructure(message.structure);
     time_line?.setStructure(message.structure);
-    element?.setStructure(message.structure);
     setText(byId("hint"), hint(message.structure.dimension));
   }
   if (message.kind === "frame") {
     time_line?.add(message.frame);
-    element?.setFrame();
     if (isInitial(message.frame, model) && view?.knowsInitial === false) view.setInitial(message.frame);
   }
 }

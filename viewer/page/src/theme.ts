@@ -14,6 +14,7 @@ export interface Theme {
   fixed: Color;
   /** The estimates of the file, under the current ones. */
   before: Color;
+  uncertainty: Color;
   odometry: Color;
   loop_closure: Color;
   observation: Color;
@@ -43,6 +44,7 @@ export function currentTheme(): Theme {
     landmark: color("--landmark"),
     fixed: color("--fixed"),
     before: color("--before"),
+    uncertainty: color("--uncertainty"),
     odometry: color("--odometry"),
     loop_closure: color("--loop-closure"),
     observation: color("--observation"),

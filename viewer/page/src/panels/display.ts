@@ -9,7 +9,7 @@ import type { SceneView } from "../scene/scene_view";
 import { storedOptions, storeOptions } from "../scene/stored_options";
 import { classColors, currentTheme, onThemeChange, type Theme } from "../theme";
 import { checkBox, choice, colorField, fieldset, lineNumber, slider, swatch } from "./controls";
-import { byId, create, setText } from "./dom";
+import { byId, create, setText, setTextOrHide } from "./dom";
 import { EdgeColors } from "./edge_colors";
 import { sizeSlider, typeRow } from "./type_rows";
 
@@ -30,7 +30,14 @@ export class Display {
   private readonly hidden_text = create("p", { id: "hidden-points", className: "dim" });
   private readonly initial_text = create("p", { id: "initial-unknown", className: "dim" },
     "This page does not know them any more. Reset brings them back.");
+  private readonly uncertainty_text = create("p", { id: "uncertainty-note", className: "dim" });
+  /** Computes the uncertainty; see Covariances. */
+  readonly compute = create("button",
+    { id: "compute-uncertainty", type: "button", className: "needs-server", disabled: true }, "Compute");
   private readonly legend = create("div", { id: "legend" });
+  /** Shows the pattern of H; see PatternDialog. */
+  readonly show_pattern = create("button",
+    { id: "show-pattern", type: "button", className: "needs-server", disabled: true }, "Pattern of H and L…");
   private readonly reset = create("button", { id: "reset-display", type: "button" }, "Reset to defaults");
 
   constructor(private readonly view: SceneView) {
@@ -75,7 +82,7 @@ export class Display {
     if (structure.edges.length > 0) parts.push(fieldset("Opacity of edges", this.opacities(structure)));
     parts.push(fieldset("Picture", [this.background(theme)]));
     const form = byId("display");
-    form.replaceChildren(...parts, this.reset);
+    form.replaceChildren(...parts, create("div", { className: "row" }, this.reset, this.show_pattern));
     form.oninput = () => this.apply();
     this.updateTexts();
   }
@@ -85,7 +92,7 @@ export class Display {
       typeRow(`vertices-${i}`, structure, group, styleOf(this.options, group), theme));
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
     if (fixed > 0) rows.push(signRow(swatch("ring"), "Fixed", fixed));
-    return [...rows, ...this.initial()];
+    return [...rows, ...this.initial(), ...this.uncertainty()];
   }
 
   private colorMode(): HTMLElement {
@@ -144,6 +151,12 @@ export class Display {
     return [box, this.initial_text];
   }
 
+  private uncertainty(): HTMLElement[] {
+    const box = checkBox("show-uncertainty", this.options.shows_uncertainty, [swatch("uncertainty"), "Uncertainty (2σ)"], "",
+      (checked) => (this.options.shows_uncertainty = checked));
+    return [create("div", { className: "type-row" }, box, this.compute), this.uncertainty_text];
+  }
+
   private background(theme: Theme): HTMLElement {
     const default_color = `#${theme.background.getHexString()}`;
     const field = colorField("background", "Background", this.options.background, default_color,
@@ -156,6 +169,8 @@ export class Display {
     this.updateFilterText();
     this.updateLegend();
     this.updateInitialText();
+    const { note } = this.view.shown?.uncertainty ?? { note: "" };
+    setTextOrHide(this.uncertainty_text, note && `${note.charAt(0).toUpperCase()}${note.slice(1)}.`);
   }
 
   private updateInitialText(): void {

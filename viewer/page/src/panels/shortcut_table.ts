@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which key does what.
 import type { PictureTools } from "./picture_tools";
-import type { Line, ShortcutGroups } from "./shortcuts";
+import type { Line, Shortcut, ShortcutGroups } from "./shortcuts";
 import type { TimeLinePanel } from "./time_line_panel";
 
 /** Without WebGL 2, there are neither tools nor a time line. */
@@ -41,6 +41,14 @@ export function shortcutGroups(tools: PictureTools | null, time_line: TimeLinePa
     { keys: ["?"], text: "These keys", control: "show-help" },
   ];
   return groups;
+}
+
+/** The keys of a page without a server: no key of a control that needs one, and none for a time line of one frame. */
+export function withoutServer(groups: ShortcutGroups): ShortcutGroups {
+  const needsServer = ({ control }: Shortcut) => document.getElementById(control ?? "")?.closest(".needs-server");
+  return Object.fromEntries(Object.entries(groups)
+    .map(([title, shortcuts]): [string, Shortcut[]] => [title, shortcuts.filter((each) => !needsServer(each))])
+    .filter(([title, shortcuts]) => shortcuts.length > 0 && title !== "Time line"));
 }
 
 /** What keys do where they have the focus, by the groups above. */

@@ -4,7 +4,7 @@
 import { decode } from "./decode";
 import { MessageReader } from "./framing";
 import type { ElementFacts, ElementName } from "./element";
-import type { Command, Message } from "./messages";
+import type { Command, Message, Pattern } from "./messages";
 
 const RETRY_MS = 1000;
 /** The server sends a heartbeat at least once per second, so after this time the connection is lost. */
@@ -85,6 +85,15 @@ export class Connection {
       signal: AbortSignal.timeout(ANSWER_MS),
     });
     return (await response.json()) as ElementFacts;
+  }
+
+  /** Returns where H and L have blocks. Throws like send(). */
+  async pattern(): Promise<Pattern> {
+    const response = await answerTo("/pattern", { headers: { "X-Boxplus-Token": this.token }, cache: "no-store" });
+    const [raw] = new MessageReader().push(new Uint8Array(await response.arrayBuffer()));
+    const message = raw && decode(raw);
+    if (message?.kind !== "pattern") throw new Error("the answer is no pattern");
+    return message.pattern;
   }
 
   private async readStream(): Promise<void> {

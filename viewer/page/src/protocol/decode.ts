@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns payloads into messages. The arrays are views of the payload; nothing is copied.
-import type { Form, Frame, Message, StateMessage, Structure } from "./messages";
+import type { Form, Frame, Message, Pattern, StateMessage, Structure, Uncertainty } from "./messages";
 import type { RawMessage } from "./framing";
 
 interface ArrayEntry {
@@ -24,6 +24,8 @@ export function decode(message: RawMessage): Message | null {
       return { kind: "frame", frame: decodeFrame(message.payload) };
     case 4:
       return { kind: "form", form: parseJson(message.payload) as Form };
+    case 5:
+      return { kind: "pattern", pattern: decodePattern(message.payload) };
     default:
       return null;
   }
@@ -42,13 +44,30 @@ function decodeStructure(payload: Uint8Array<ArrayBuffer>): Structure {
 function decodeFrame(payload: Uint8Array<ArrayBuffer>): Frame {
   const { header, arrays } = decodeArrays(payload);
   const chi2 = optional(arrays, "chi2", Float32Array);
+  const { uncertainty: note } = header as { uncertainty?: string };
   return {
     ...(header as unknown as Frame),
     positions: required(arrays, "positions", Float32Array),
     orientations: required(arrays, "orientations", Float32Array),
     errors: optional(arrays, "errors", Float32Array),
     line_values: chi2 && { chi2, weights: optional(arrays, "weights", Float32Array) },
+    uncertainty: note ? uncertaintyOf(note, arrays) : null,
   };
+}
+
+function uncertaintyOf(note: string, arrays: Map<string, Numbers>): Uncertainty {
+  return {
+    note,
+    vertices: optional(arrays, "uncertain", Uint32Array) ?? new Uint32Array(0),
+    covariances: optional(arrays, "covariances", Float32Array) ?? new Float32Array(0),
+  };
+}
+
+function decodePattern(payload: Uint8Array<ArrayBuffer>): Pattern {
+  const { header, arrays } = decodeArrays(payload);
+  const pattern = header as unknown as Pattern;
+  const pictures = pattern.pictures.map((each) => ({ ...each, counts: required(arrays, each.name, Uint32Array) }));
+  return { ...pattern, pictures };
 }
 
 function decodeArrays(payload: Uint8Array<ArrayBuffer>) {

@@ -109,6 +109,15 @@ export function isSameStructure(a: Structure, b: Structure | null): boolean {
   return b !== null && a.structure === b.structure && isSameKind(a, b);
 }
 
+/** The covariances of positions. */
+export interface Uncertainty {
+  /** What was computed, or why nothing was. */
+  note: string;
+  vertices: Uint32Array;
+  /** xx, xy, xz, yy, yz, zz in m² for each of the vertices. */
+  covariances: Float32Array;
+}
+
 export interface Frame {
   structure: number;
   sequence: number;
@@ -123,6 +132,8 @@ export interface Frame {
   errors: Float32Array | null;
   /** The arrays `chi2` and `weights`, if the server knows them. */
   line_values: LineValues | null;
+  /** null if nobody asked for it. */
+  uncertainty: Uncertainty | null;
 }
 
 /** A value that a setting can have; `unsuitable` is the reason why it makes no sense for this graph. */
@@ -155,11 +166,30 @@ export interface Form {
   settings: Setting[];
 }
 
+export interface PatternPicture {
+  name: "H_by_id" | "H_ordered" | "L_by_id" | "L_ordered";
+  blocks: number;
+  /** False if there are more blocks, and only the first rows are in the picture. */
+  is_complete: boolean;
+  /** The blocks in each cell, row by row. */
+  counts: Uint32Array;
+}
+
+/** The lower triangle of H, and its factor L. */
+export interface Pattern {
+  /** The number of block rows. */
+  size: number;
+  /** The number of cells in each row of a picture. */
+  cells: number;
+  pictures: PatternPicture[];
+}
+
 export type Message =
   | { kind: "state"; state: StateMessage }
   | { kind: "form"; form: Form }
   | { kind: "structure"; structure: Structure }
-  | { kind: "frame"; frame: Frame };
+  | { kind: "frame"; frame: Frame }
+  | { kind: "pattern"; pattern: Pattern };
 
 /** The values of settings, by their names. */
 export type SettingTexts = Record<string, string>;
@@ -171,5 +201,6 @@ export type Command =
   | { type: "optimize"; settings: SettingTexts }
   | { type: "step"; settings: SettingTexts }
   | { type: "guess"; start: string }
+  | { type: "covariances" }
   | { type: "stop" }
   | { type: "reset" };

@@ -28,6 +28,8 @@ export interface DisplayOptions {
   poses_as_axes: boolean;
   /** The estimates of the file, faintly under the current ones. */
   shows_initial: boolean;
+  /** The ellipses of the current estimates, if they were computed. */
+  shows_uncertainty: boolean;
   /** What the colors of vertices tell. */
   color_mode: ColorMode;
   edge_coloring: EdgeColoring;
@@ -40,6 +42,7 @@ export function defaultOptions(): DisplayOptions {
     background: null,
     poses_as_axes: false,
     shows_initial: false,
+    shows_uncertainty: true,
     color_mode: "type",
     edge_coloring: "role",
     limits: { least_track_length: 0, most_error: Infinity },

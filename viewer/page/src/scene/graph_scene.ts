@@ -8,6 +8,7 @@ import { type Coloring, type ColorMode, coloringOf } from "./coloring";
 import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
 import { type EdgeColoring, LEVELS, levelCounts, levelsOf, linesOfLevel, type LineValues } from "./edge_levels";
 import { Edges, linesOf } from "./edges";
+import { Ellipses } from "./ellipses";
 import { Ghost } from "./ghost";
 import { shared } from "./materials";
 import { PointCloud } from "./points";
@@ -40,6 +41,7 @@ export class GraphScene {
   /** The number of lines of each level; null if the edges have the colors of their roles. */
   level_counts: number[] | null = null;
   private readonly fixed: PointCloud;
+  private readonly ellipses: Ellipses;
   private ghost: Ghost | null = null;
   private readonly selection: Selection;
   /** By type, in the order of the structure. */
@@ -63,6 +65,8 @@ export class GraphScene {
     this.fixed.setSize(FIXED_PIXELS);
     this.selection = new Selection(this.vertices);
     this.current.add(...this.selection.objects);
+    this.ellipses = new Ellipses(structure.dimension);
+    this.current.add(...this.ellipses.parts);
     for (const part of this.parts()) {
       if (structure.dimension === 2) layInPlane(part);
       this.current.add(part.object);
@@ -81,6 +85,7 @@ export class GraphScene {
       this.has_new_values = true;
     }
     if (changed) this.updateVisible();
+    this.ellipses.update(frame, this.vertices);
   }
 
   applyFilter(options: DisplayOptions): void {
@@ -136,6 +141,9 @@ export class GraphScene {
       edges.setColor(edges.level === null ? color : theme.levels[edges.level]!);
     });
     this.fixed.setColor(theme.fixed);
+    this.ellipses.setColor(theme.uncertainty);
+    this.ellipses.shown = options.shows_uncertainty;
+    this.ellipses.hide(this.structure.vertices.filter((_, i) => !this.groups[i]!.object.visible), this.vertices);
     this.ghost?.applyOptions(theme, (group) => styleFor(group).shown);
     this.selection.setColor(theme.selection);
     this.shown_vertices = this.groups.map((part) => part.object.visible);
@@ -181,11 +189,13 @@ export class GraphScene {
     limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
     const clouds = this.groups.filter((group) => group instanceof PointCloud);
     limitParts([...clouds, ...(this.ghost?.points ?? [])], budget.points);
+    limitParts([this.ellipses], budget.poses);
     this.fixed.drawPart(1);
   }
 
   dispose(): void {
     for (const part of this.parts()) part.dispose();
+    this.ellipses.dispose();
     this.ghost?.dispose();
     this.selection.dispose();
   }
@@ -256,6 +266,7 @@ export class GraphScene {
   private updateVisible(): void {
     for (const part of this.parts()) part.updateVisible(this.vertices);
     this.selection.updateVisible();
+    this.ellipses.updateVisible(this.vertices);
   }
 
   /** Positions are relative to the center of their frame, the scene to that of the first frame. */

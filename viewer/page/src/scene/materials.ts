@@ -87,6 +87,33 @@ export function pointMaterial(is_ring: boolean): ShaderMaterial {
   });
 }
 
+/** One shape per vertex, placed by `instance_position`, with the axes `instance_x`, `instance_y` and `instance_z`. */
+export function ellipseMaterial(opacity: number): ShaderMaterial {
+  return new ShaderMaterial({
+    glslVersion: GLSL3,
+    transparent: true,
+    depthWrite: false,
+    uniforms: { ...shared, color: { value: new Color() }, opacity: { value: opacity } },
+    vertexShader: `
+      in vec3 instance_position, instance_x, instance_y, instance_z;
+      in float instance_visible;
+      out float depth;
+      void main() {
+        vec3 offset = instance_visible * (mat3(instance_x, instance_y, instance_z) * position);
+        vec4 place = modelViewMatrix * vec4(instance_position + offset, 1.0);
+        depth = -place.z;
+        gl_Position = projectionMatrix * place;
+      }`,
+    fragmentShader: `
+      ${OUTPUT}
+      ${FADE}
+      uniform vec3 color;
+      uniform float opacity;
+      in float depth;
+      void main() { pixel = vec4(faded(color, depth), opacity); }`,
+  });
+}
+
 /** One shape per vertex, placed by `instance_position` and `instance_orientation`. */
 export function instanceMaterial(): ShaderMaterial {
   return new ShaderMaterial({

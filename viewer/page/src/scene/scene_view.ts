@@ -22,7 +22,7 @@ const MOST_OVERLAP = 3;
 const REST_MS = 180;
 
 export class SceneView {
-  /** Called after another graph, or its first frame, came. */
+  /** Called after another graph, its first frame, or facts about a frame came. */
   on_structure: (graph: GraphScene) => void = () => {};
   /** Called after a picture of another frame was drawn. */
   on_frame: () => void = () => {};
@@ -230,6 +230,7 @@ export class SceneView {
   private show(frame: Frame): void {
     const graph = this.graph!;
     const is_first = this.frame === null;
+    const brings_news = is_first || frame.line_values !== null || frame.uncertainty !== this.frame?.uncertainty;
     const brings_errors = frame.errors !== null && this.options.limits.most_error < Infinity;
     this.frame = frame;
     this.pending = null;
@@ -239,7 +240,7 @@ export class SceneView {
     if (this.follows) this.followGraph();
     this.updateSpacing(graph, frame);
     if (frame.line_values) graph.applyOptions(this.options, this.spacing, currentTheme());
-    if (is_first || frame.line_values) this.on_structure(graph);
+    if (brings_news) this.on_structure(graph);
   }
 
   private followGraph(): void {

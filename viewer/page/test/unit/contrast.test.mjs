@@ -8,7 +8,7 @@ const BACKGROUNDS = ["back", "raised", "scene"];
 const TEXTS = ["text", "dim", "accent", "good", "bad", "warn", "mark"];
 /** Borders of controls, the ring around what has the focus, and signs of the legend. */
 const SIGNS = [
-  "edge", "accent", "bad", "pose", "camera", "landmark", "fixed", "odometry", "loop-closure", "observation", "other-edge",
+  "edge", "accent", "bad", "pose", "camera", "landmark", "fixed", "uncertainty", "odometry", "loop-closure", "observation", "other-edge",
 ];
 
 for (const [name, theme] of Object.entries(THEMES)) {

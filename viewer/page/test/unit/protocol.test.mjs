@@ -59,6 +59,7 @@ test("the arrays of a frame are views of its payload", () => {
   assert.equal(frame.positions.buffer, payload.buffer);
   assert.equal(frame.errors, null);
   assert.equal(frame.line_values, null);
+  assert.equal(frame.uncertainty, null);
 });
 
 test("chi2 of the frame and chi2 of the lines are two things", () => {
@@ -70,6 +71,19 @@ test("chi2 of the frame and chi2 of the lines are two things", () => {
   assert.equal(frame.chi2, 4);
   assert.deepEqual([...frame.line_values.chi2], [7, 8]);
   assert.equal(frame.line_values.weights, null);
+});
+
+test("a frame may tell the uncertainty of positions, or why it is not known", () => {
+  const numbers = new Uint32Array([7, 9]), covariances = new Float32Array([1, 0, 0, 4, 0, 9, 1, 2, 3, 4, 5, 6]);
+  const bytes = new Uint8Array([...new Uint8Array(numbers.buffer), ...new Uint8Array(covariances.buffer)]);
+  const none = { positions: { type: "f32", offset: 0, count: 0 }, orientations: { type: "f32", offset: 0, count: 0 } };
+  const arrays = { ...none, uncertain: { type: "u32", offset: 0, count: 2 }, covariances: { type: "f32", offset: 8, count: 12 } };
+  const known = decode({ kind: 3, payload: arraysPayload({ uncertainty: "all", arrays }, bytes) }).frame.uncertainty;
+  assert.deepEqual([known.note, [...known.vertices], [...known.covariances]], ["all", [7, 9], [...covariances]]);
+  const unknown = decode({ kind: 3, payload: arraysPayload({ uncertainty: "why", arrays: none }, bytes) }).frame.uncertainty;
+  assert.deepEqual([unknown.note, unknown.vertices.length], ["why", 0]);
+  const not_wanted = decode({ kind: 3, payload: arraysPayload({ uncertainty: "", arrays: none }, bytes) }).frame.uncertainty;
+  assert.equal(not_wanted, null);
 });
 
 test("a frame without positions, or with positions that are not floats, is an error", () => {
