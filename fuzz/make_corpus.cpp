@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// make_corpus FORMAT FOLDER: writes the seeds of a fuzz target to FOLDER. The seeds are small graphs in the
-// given format.
+// make_corpus FORMAT FOLDER: writes the seeds of a fuzz target to FOLDER, and the tags of the format to
+// FOLDER.dict. The seeds are small graphs in the given format.
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -26,53 +26,11 @@ std::string simulated(World world) {
   return format_graph(file);
 }
 
-/// A 2-D graph with the tags that the simulators do not write.
-std::string plane() {
-  GraphFile file;
-  Graph& graph = file.graph;
-  const auto a = graph.add_vertex(SE2(0, 0, 0)), b = graph.add_vertex(SE2(1, 0.5, -3));
-  const auto p = graph.add_vertex(Vector2(2, 1)), q = graph.add_vertex(Vector2(-2, 1e-300));
-  const auto wheels = graph.add_vertex(DifferentialDrive{1, 1, 0.5});
-  const auto mount = graph.add_vertex(SE2(0.1, 0, 0.2));
-  const auto sensor = graph.add_parameter(SE2(0.2, 0, 0)), other = graph.add_parameter(SE2(0, 0.3, 1));
-  graph.fix(a);
-  Eigen::Matrix3d full;
-  full << 4, 1, 0, 1, 3, 0.5, 0, 0.5, 2;
-  graph.add_edge(Between(SE2(1, 0, 0)), full, a, b);
-  graph.add_edge(BearingObservation2(0.5), 10.0, a, p);
-  graph.add_edge(Prior(SE2(0, 0, 0)), a);
-  graph.add_edge(PositionPrior(Vector2(1, 0)), b);
-  graph.add_edge(Prior(Vector2(1, 0)), p);
-  graph.add_edge(Between(Vector2(1, 0)), p, q);
-  graph.add_edge(OffsetPointObservation2(Vector2(1, 0)), a, p, sensor);
-  graph.add_edge(OffsetPointObservation2(Vector2(1, 0)), a, p, mount);
-  graph.add_edge(OffsetBetween(SE2(1, 0, 0)), a, b, sensor, other);
-  graph.add_edge(OffsetBetween(SE2(1, 0, 0)), a, b, sensor);
-  graph.add_edge(OffsetBetween(SE2(1, 0, 0)), a, b, mount);
-  graph.add_edge(WheelOdometry(WheelSpeeds{1, 1.1, 0.1}), a, b, wheels);
-  graph.add_edge(TwoPointsObservation2({1, 0, 2, 0}), a, p, q);
-  graph.add_edge(PointsObservation2(Vector<double, kDynamic>(Eigen::VectorXd::Ones(4))), a,
-                 std::vector{p, q});
-  return format_graph(file);
-}
-
-std::string space() {
-  GraphFile file;
-  Graph& graph = file.graph;
-  const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(SE3(Vector3(1, 0, 0), SO3()));
-  const auto p = graph.add_vertex(Vector3(2, 1, 0)), q = graph.add_vertex(Vector3(-2, 1, 5));
-  const auto sensor = graph.add_parameter(SE3()), other = graph.add_parameter(SE3());
-  graph.fix(a);
-  graph.add_edge(OffsetPointObservation3(Vector3(1, 0, 0)), a, p, sensor);
-  graph.add_edge(OffsetPrior(SE3()), a, sensor);
-  graph.add_edge(PositionPrior(Vector3(1, 0, 0)), b, sensor);
-  graph.add_edge(OffsetBetween(SE3()), a, b, sensor, other);
-  graph.add_edge(OffsetBetween(SE3()), a, b, sensor);
-  graph.add_edge(Between(Vector3(1, 0, 0)), p, q);
-  graph.add_edge(Prior(Vector3(1, 0, 0)), p);
-  graph.add_edge(PointsObservation3(Vector<double, kDynamic>(Eigen::VectorXd::Ones(6))), a,
-                 std::vector{p, q});
-  return format_graph(file);
+/// One graph per tag, with the example of the tag.
+std::vector<std::string> examples(const Registry& registry) {
+  std::vector<std::string> texts;
+  for (const std::string& name : registry.names()) texts.push_back(registry.example(name));
+  return texts;
 }
 
 /// A text with features that the other seeds do not have: comments, unknown tags, the vertex id −1,
@@ -80,35 +38,6 @@ std::string space() {
 std::string odds() {
   return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\nVERTEX_SE2 3 1 +0 1e-3\r\n"
          "FIX 0 3\n\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 1 0 0 1 0 0 1 0 1\nUNKNOWN\n";
-}
-
-/// A graph in the format of TORO, which has other tags and another order of the entries of Ω. boxplus can
-/// read this format, but cannot write it.
-std::string toro_plane() {
-  const Simulation simulation = simulate(World::kManhattan, {.poses = 4});
-  std::string text;
-  FieldWriter out(text);
-  for (const VertexRef& vertex : simulation.graph.all_vertices()) {
-    out.token("VERTEX2");
-    out.integer(simulation.graph.id(vertex));
-    FileFields<SE2>::write(simulation.graph.estimate(simulation.graph.typed<SE2>(vertex)), out);
-    out.end_line();
-  }
-  for (const EdgeRef& edge : simulation.edges) {
-    out.token("EDGE2");
-    for (const VertexRef& vertex : simulation.graph.vertices(edge)) out.integer(simulation.graph.id(vertex));
-    FileFields<SE2>::write(simulation.graph.measurement(EdgeHandle<Between<SE2>>{edge}).measurement, out);
-    const detail::InformationView omega = simulation.graph.information(edge);
-    for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}})
-      out.number(omega(i, j));
-    out.end_line();
-  }
-  return text;
-}
-
-std::string toro_space() {
-  return "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 0 0.5 0.1 -0.2 3\n"
-         "EDGE3 0 1 1 0 0.5 0.1 -0.2 3 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 4 0 0 4 0 4\n";
 }
 
 /// Two cameras, three points, and an observation that occurs twice.
@@ -173,14 +102,22 @@ std::vector<std::string> view_requests() {
           "0123456789abcdef0123456789abcdef\n"};
 }
 
+/// The tags of the lines of a format. A TORO file has only the tags of TORO.
+Registry tags(const std::string& format) {
+  Registry registry;
+  if (format == "g2o") registry = default_registry();
+  if (format == "toro") register_toro(registry);
+  return registry;
+}
+
 /// Returns the seeds for a format. The list is empty if there are no seeds for the format.
 std::vector<std::string> seeds(const std::string& format) {
-  if (format == "toro") return {toro_plane(), toro_space()};
   if (format == "bal") return {bal(), "1 1 0\n0 0 0 0 0 0 500 0 0\n1 2 3\n", "0 0 0\n"};
   if (format == "colmap") return colmap();
   if (format == "view_request") return view_requests();
-  if (format != "g2o") return {};
-  std::vector<std::string> all{plane(), space(), odds()};
+  std::vector<std::string> all = examples(tags(format));
+  if (format != "g2o") return all;
+  all.push_back(odds());
   for (const World world : kWorlds) all.push_back(simulated(world));
   return all;
 }
@@ -190,6 +127,9 @@ void write_corpus(const std::string& format, const std::filesystem::path& folder
   int count = 0;
   for (const std::string& text : seeds(format))
     write_file(folder / (std::to_string(count++) + "." + format), text);
+  std::string dictionary;
+  for (const std::string& name : tags(format).names()) dictionary += '"' + name + "\"\n";
+  write_file(folder.string() + ".dict", dictionary);
 }
 
 }  // namespace

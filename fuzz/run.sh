@@ -10,9 +10,10 @@ build=build/sanitize
 for dictionary in fuzz/*.dict; do
   format=$(basename "$dictionary" .dict)
   mkdir -p "$build/corpus/$format" "$build/findings"
+  cat "$dictionary" "$build/fuzz/seeds/$format.dict" >"$build/$format.dict"
   log="$build/$format.log"
   if ! "$build/bin/fuzz_$format" "$build/corpus/$format" "$build/fuzz/seeds/$format" fuzz/regressions \
-    -max_total_time="$1" -max_len=2048 -timeout=10 -rss_limit_mb=2048 -dict="$dictionary" \
+    -max_total_time="$1" -max_len=2048 -timeout=10 -rss_limit_mb=2048 -dict="$build/$format.dict" \
     -artifact_prefix="$build/findings/$format-" -print_final_stats=1 >"$log" 2>&1; then
     tail -n 60 "$log"
     exit 1

@@ -27,12 +27,14 @@ std::unique_ptr<LinearSolver> make_block_cholesky(const LinearSolverOptions& opt
   return std::make_unique<BlockCholesky>(options.block_cholesky);
 }
 
+using Method = detail::LinearSolverEntry::Method;
+
 constexpr detail::LinearSolverEntry kLinearSolvers[] = {
-    {LinearSolverKind::kAutomatic, "automatic", "automatic", make_automatic},
-    {LinearSolverKind::kBlockCholesky, "block_cholesky", "cholesky", make_block_cholesky},
-    {LinearSolverKind::kPcg, "pcg", "pcg", make<Pcg>},
-    {LinearSolverKind::kDense, "dense", "dense", make<DenseSolver>},
-    {LinearSolverKind::kEigenSparse, "eigen_sparse", "eigen", make<EigenSparseSolver>},
+    {LinearSolverKind::kAutomatic, "automatic", "automatic", make_automatic, Method::kDelegates},
+    {LinearSolverKind::kBlockCholesky, "block_cholesky", "cholesky", make_block_cholesky, Method::kDirect},
+    {LinearSolverKind::kPcg, "pcg", "pcg", make<Pcg>, Method::kIterative},
+    {LinearSolverKind::kDense, "dense", "dense", make<DenseSolver>, Method::kDirect},
+    {LinearSolverKind::kEigenSparse, "eigen_sparse", "eigen", make<EigenSparseSolver>, Method::kDirect, true},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -16,6 +17,11 @@ def run(*arguments, stdin="", environment=None):
     words = [BOXPLUS, *map(str, arguments)]
     return subprocess.run(words, input=stdin, capture_output=True, encoding="utf-8", check=False, timeout=300,
                           env={**os.environ, **(environment or {})})
+
+def choices(command, option):
+    """The values that the help of a command lists for an option or an argument."""
+    text = " ".join(run(command, "--help").stdout.split())
+    return re.search(rf" {option} .*?\(one of ([^;)]*)", text).group(1).split(", ")
 
 class CommandCase(unittest.TestCase):
     """A test with its own empty folder, `self.path`."""

@@ -6,7 +6,7 @@ import os
 import shutil
 import subprocess
 
-from command_case import CommandCase, main, run
+from command_case import CommandCase, choices, main, run
 
 def completions(*words):
     """The completions that bash offers for the last word."""
@@ -33,7 +33,8 @@ class CompletionTest(CommandCase):
         self.assertNotIn("--worst", completions("boxplus", "optimize", "-"))
 
     def test_bash_completes_values_of_options_and_arguments(self):
-        solvers = ["automatic", "cholesky", "pcg", "dense", "eigen"]
+        solvers = choices("optimize", "--solver")
+        self.assertIn("pcg", solvers)
         self.assertEqual(completions("boxplus", "optimize", "--solver", ""), solvers)
         self.assertEqual(completions("boxplus", "optimize", "--solver", "=", "p"), ["pcg"])
         self.assertEqual(completions("boxplus", "optimize", "--solver", "="), solvers)
@@ -41,7 +42,7 @@ class CompletionTest(CommandCase):
         self.assertEqual(completions("boxplus", "optimize", "--threads", ""), [])
         self.assertEqual(completions("boxplus", "completion", ""), ["bash", "zsh", "fish"])
         self.assertEqual(completions("boxplus", "simulate", "sph"), ["sphere"])
-        self.assertEqual(completions("boxplus", "simulate", "ba", "--shape", ""), ["ring", "street", "city"])
+        self.assertEqual(completions("boxplus", "simulate", "ba", "--shape", ""), choices("simulate", "--shape"))
 
     def test_the_script_leaves_the_completion_of_file_names_to_bash(self):
         self.assertEqual(completions("boxplus", "optimize", ""), [])

@@ -32,7 +32,8 @@ class ConvertTest(CommandCase):
     def test_refuses_bad_input_and_changes_no_file(self):
         out = self.written("out.g2o", "precious")
         self.assert_refused(run("convert", self.written("bad.g2o", "VERTEX_SE2 0\n"), out), "bad.g2o:1:13: expected")
-        self.assert_refused(run("convert", TOWN, self.path / "out.graph"), "expected a .g2o, BAL's .bal, COLMAP folder, COLMAP-text folder or .ply as output, because boxplus can only read TORO's .graph")
+        self.assert_refused(run("convert", TOWN, self.path / "out.graph"), "expected a .g2o, BAL's .bal, ",
+                            " or .ply as output, because boxplus can only read TORO's .graph")
         self.assert_refused(run("convert", TOWN), "expected OUT, got none")
         self.assert_refused(run("convert", TOWN, ""), "OUT: expected the name of a file, got ''")
         self.assertEqual(out.read_text(encoding="utf-8"), "precious")

@@ -104,17 +104,17 @@ TEST_F(CustomFileFormat, IsWrittenIfTheGraphWasReadInItAndTheExtensionIsUnknown)
 }
 
 TEST_F(CustomFileFormat, IsListedAfterTheFormatsOfTheLibrary) {
-  std::vector<std::string> labels;
+  std::vector<std::string> labels, expected;
   for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP folder",
-                                           "COLMAP-text folder", ".ply", "table's .csv"));
+  for (const FileFormat& format : default_formats().all()) expected.push_back(format.label());
+  expected.emplace_back("table's .csv");
+  EXPECT_EQ(labels, expected);
   try {
-    format_graph({}, {.formats = &formats_, .format = "tabel"});
+    format_graph(Graph{}, {.formats = &formats_, .format = "tabel"});
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "unknown file format 'tabel'; known formats: g2o, TORO, BAL, COLMAP, COLMAP-text, ply, table");
+    EXPECT_THAT(error.what(), testing::StartsWith("unknown file format 'tabel'; known formats: g2o, "));
+    EXPECT_THAT(error.what(), testing::EndsWith(", table"));
   }
 }
 

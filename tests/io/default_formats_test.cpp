@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
 
 #include "boxplus/io/file_format.h"
 
 namespace boxplus {
 namespace {
 
-TEST(DefaultFormats, AreG2oToroBalColmapAndPly) {
-  std::vector<std::string> labels;
-  for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP folder",
-                                           "COLMAP-text folder", ".ply"));
+TEST(DefaultFormats, BeginWithG2oAndHaveDifferentNamesAndLabels) {
+  const auto& formats = default_formats().all();
+  EXPECT_EQ(formats[0].label(), ".g2o");
+  std::set<std::string> names, labels;
+  for (const FileFormat& format : formats) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name;
+    EXPECT_TRUE(labels.insert(format.label()).second) << format.label();
+    EXPECT_EQ(default_formats().find(format.name), &format);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "allocation_counter.h"
-#include "boxplus/linear/linear_solver_table.h"
+#include "linear/every_solver.h"
 #include "linear/test_system.h"
 
 namespace boxplus {
@@ -41,13 +41,10 @@ std::string name_of(const std::tuple<LinearSolverKind, bool>& candidate) {
          std::string(to_string(std::get<LinearSolverKind>(candidate)));
 }
 
-/// All kinds except two: kAutomatic, because it only chooses another kind, and kEigenSparse, because Eigen
-/// allocates temporaries in every call (see eigen_sparse_solver.h).
 std::vector<LinearSolverKind> kinds() {
   std::vector<LinearSolverKind> all;
-  for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
-    if (entry.kind != LinearSolverKind::kAutomatic && entry.kind != LinearSolverKind::kEigenSparse)
-      all.push_back(entry.kind);
+  for (const detail::LinearSolverEntry& entry : every_solver()) {
+    if (!entry.allocates_in_every_call) all.push_back(entry.kind);
   }
   return all;
 }

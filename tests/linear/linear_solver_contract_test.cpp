@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "allocation_counter.h"
-#include "boxplus/linear/linear_solver_table.h"
 #include "boxplus/linearize/linearizer.h"
 #include "boxplus/testing/simulate_bundle.h"
+#include "linear/every_solver.h"
 
 namespace boxplus {
 namespace {
@@ -17,13 +17,13 @@ namespace {
 enum class Elimination : std::uint8_t { kNone, kStored, kImplicit };
 
 struct Candidate {
-  LinearSolverKind kind;
+  detail::LinearSolverEntry solver;
   Precision precision = Precision::kDouble;
   Elimination elimination = Elimination::kNone;
 };
 
 std::unique_ptr<LinearSolver> make_inner(const Candidate& candidate) {
-  return make_linear_solver(candidate.kind, {.block_cholesky = {.precision = candidate.precision}});
+  return candidate.solver.make({.block_cholesky = {.precision = candidate.precision}});
 }
 
 std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
@@ -60,7 +60,9 @@ Bundle& bundle() {
 class LinearSolverContract : public ::testing::TestWithParam<std::tuple<Candidate, int>> {
  protected:
   static const Candidate& candidate() { return std::get<0>(GetParam()); }
-  static bool is_iterative() { return candidate().kind == LinearSolverKind::kPcg; }
+  static bool is_iterative() {
+    return candidate().solver.method == detail::LinearSolverEntry::Method::kIterative;
+  }
   static bool is_exact() { return !is_iterative() && candidate().precision != Precision::kMixed; }
 
   AnalyzeHints hints(int threads = std::get<1>(GetParam())) const {
@@ -165,7 +167,7 @@ TEST_P(LinearSolverContract, CallsASolutionExactOnlyIfItSatisfiesTheSystem) {
 
 TEST_P(LinearSolverContract, AllocatesOnlyInTheFirstFactorizationAndSolution) {
   if (!testing::allocations_are_counted()) GTEST_SKIP() << "a sanitizer has its own allocator";
-  if (candidate().kind == LinearSolverKind::kEigenSparse) GTEST_SKIP() << "its library allocates";
+  if (candidate().solver.allocates_in_every_call) GTEST_SKIP() << "its library allocates";
   factorize_and_solve(*solver, damping);
   std::vector<double> x(b.size());
   const long before = testing::allocation_count();
@@ -300,23 +302,21 @@ TEST_P(LinearSolverContract, NamesThePivotThatVanishesIfTheMatrixMayBeSingular) 
   EXPECT_EQ(result.failed_block, point);
 }
 
-/// All kinds except kAutomatic, because it only chooses another kind. The dense solver only after an
-/// elimination, because H is large. A Schur complement that is not stored suits only solvers that need
-/// products.
+/// The dense solver only after an elimination, because H is large. A Schur complement that is not stored
+/// suits only solvers that need products.
 std::vector<Candidate> candidates() {
   std::vector<Candidate> all;
   const auto add = [&](const Candidate& candidate) {
     const bool is_large = candidate.elimination == Elimination::kNone;
     const bool has_blocks = candidate.elimination != Elimination::kImplicit;
-    if (is_large && candidate.kind == LinearSolverKind::kDense) return;
+    if (is_large && candidate.solver.kind == LinearSolverKind::kDense) return;
     if (!has_blocks && make_inner(candidate)->needs() == LinearSolver::Needs::kBlocks) return;
     all.push_back(candidate);
   };
   for (const Elimination elimination : {Elimination::kNone, Elimination::kStored, Elimination::kImplicit}) {
-    for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
-      if (entry.kind == LinearSolverKind::kAutomatic) continue;
-      add({entry.kind, Precision::kDouble, elimination});
-      if (entry.kind == LinearSolverKind::kBlockCholesky) add({entry.kind, Precision::kMixed, elimination});
+    for (const detail::LinearSolverEntry& solver : every_solver()) {
+      add({solver, Precision::kDouble, elimination});
+      if (solver.kind == LinearSolverKind::kBlockCholesky) add({solver, Precision::kMixed, elimination});
     }
   }
   return all;
@@ -325,7 +325,7 @@ std::vector<Candidate> candidates() {
 std::string name_of(const ::testing::TestParamInfo<std::tuple<Candidate, int>>& parameters) {
   const auto& [candidate, threads] = parameters.param;
   constexpr const char* kEliminations[] = {"", "_schur", "_implicit_schur"};
-  return std::string(to_string(candidate.kind)) + (candidate.precision == Precision::kMixed ? "_mixed" : "") +
+  return std::string(candidate.solver.name) + (candidate.precision == Precision::kMixed ? "_mixed" : "") +
          kEliminations[static_cast<int>(candidate.elimination)] + std::to_string(threads);
 }
 

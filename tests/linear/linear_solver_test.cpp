@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "boxplus/linear/linear_solver_table.h"
+#include "linear/every_solver.h"
 #include "linear/expect_solution.h"
 
 namespace boxplus {
@@ -21,14 +21,14 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Candidate {
-  LinearSolverKind kind;
+  detail::LinearSolverEntry solver;
   Precision precision = Precision::kDouble;
   bool eliminates = false;  ///< whether a SchurSolver contains the solver
 };
 
 std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
   std::shared_ptr<LinearSolver> solver =
-      make_linear_solver(candidate.kind, {.block_cholesky = {.precision = candidate.precision}});
+      candidate.solver.make({.block_cholesky = {.precision = candidate.precision}});
   return candidate.eliminates ? make_schur_solver(std::move(solver)) : solver;
 }
 
@@ -60,7 +60,9 @@ class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
     return x;
   }
 
-  bool is_iterative() const { return GetParam().kind == LinearSolverKind::kPcg; }
+  static bool is_iterative() {
+    return GetParam().solver.method == detail::LinearSolverEntry::Method::kIterative;
+  }
 
   std::shared_ptr<LinearSolver> solver;
   std::optional<AssembledSystem> view;
@@ -68,7 +70,7 @@ class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
 };
 
 TEST_P(LinearSolverTest, HasTheNameOfItsKind) {
-  EXPECT_EQ(solver->name(), to_string(GetParam().kind));
+  EXPECT_EQ(solver->name(), GetParam().solver.name);
 }
 
 TEST_P(LinearSolverTest, SolvesRandomSystemsOfMixedBlockSizes) {
@@ -413,18 +415,17 @@ TEST_P(LinearSolverTest, IsNotStoppedByADistantDeadline) {
 std::vector<Candidate> candidates() {
   std::vector<Candidate> all;
   for (const bool eliminates : {false, true}) {
-    for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
-      if (entry.kind == LinearSolverKind::kAutomatic) continue;  // it only chooses another kind
-      all.push_back({.kind = entry.kind, .eliminates = eliminates});
-      if (entry.kind == LinearSolverKind::kBlockCholesky)
-        all.push_back({entry.kind, Precision::kMixed, eliminates});
+    for (const detail::LinearSolverEntry& solver : every_solver()) {
+      all.push_back({.solver = solver, .eliminates = eliminates});
+      if (solver.kind == LinearSolverKind::kBlockCholesky)
+        all.push_back({solver, Precision::kMixed, eliminates});
     }
   }
   return all;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LinearSolverTest, ::testing::ValuesIn(candidates()), [](const auto& test) {
-  return std::string(test.param.eliminates ? "schur_" : "") + std::string(to_string(test.param.kind)) +
+  return std::string(test.param.eliminates ? "schur_" : "") + std::string(test.param.solver.name) +
          (test.param.precision == Precision::kMixed ? "_mixed" : "");
 });
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "boxplus/linear/make_linear_solver.h"
+#include "linear/every_solver.h"
 #include "linear/test_system.h"
 
 namespace boxplus {
@@ -135,9 +135,7 @@ TEST_P(Pivots, OfABlockWithAZeroRowAreReportedWithThisBlock) {
   EXPECT_EQ(factorize(system).failed_block, 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Direct, Pivots,
-                         ::testing::Values(LinearSolverKind::kBlockCholesky, LinearSolverKind::kDense,
-                                           LinearSolverKind::kEigenSparse),
+INSTANTIATE_TEST_SUITE_P(Direct, Pivots, ::testing::ValuesIn(every_direct_solver()),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/huber.h"
+#include "linear/every_solver.h"
 #include "linearize/bundle.h"
 
 namespace boxplus {
@@ -17,12 +18,17 @@ struct Way {
   SchurMode schur;
   LinearSolverKind solver;
 };
-constexpr Way kWays[] = {{SchurMode::kExplicit, LinearSolverKind::kBlockCholesky},
-                         {SchurMode::kExplicit, LinearSolverKind::kDense},
-                         {SchurMode::kExplicit, LinearSolverKind::kEigenSparse},
-                         {SchurMode::kExplicit, LinearSolverKind::kPcg},
-                         {SchurMode::kImplicit, LinearSolverKind::kPcg},
-                         {SchurMode::kAutomatic, LinearSolverKind::kAutomatic}};
+
+/// Every solver with each form of the Schur complement that suits it.
+std::vector<Way> ways() {
+  std::vector<Way> all{{SchurMode::kAutomatic, LinearSolverKind::kAutomatic}};
+  for (const detail::LinearSolverEntry& solver : every_solver()) {
+    all.push_back({SchurMode::kExplicit, solver.kind});
+    if (solver.make({})->needs() != LinearSolver::Needs::kBlocks)
+      all.push_back({SchurMode::kImplicit, solver.kind});
+  }
+  return all;
+}
 
 class Elimination : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16),
@@ -33,7 +39,7 @@ TEST_P(Elimination, EndsAtTheSameChi2AsWithoutElimination) {
   const Report expected = optimize(plain.graph, {.cost_tolerance = 1e-13});
   EXPECT_EQ(expected.status, Report::Status::kConverged) << expected.message;
   EXPECT_LT(expected.chi2_final, 0.5 * expected.chi2_initial);
-  for (const Way& way : kWays) {
+  for (const Way& way : ways()) {
     Bundle bundle = make_bundle(GetParam(), 200, true);
     const Options options{.linear_solver = way.solver, .schur = way.schur, .cost_tolerance = 1e-13};
     const Report report = optimize(bundle.graph, options);
@@ -58,7 +64,7 @@ std::vector<double> all_estimates(const Bundle& bundle) {
 }
 
 TEST(Elimination, ComputesTheSameBitsForAnyNumberOfThreads) {
-  for (const Way& way : kWays) {
+  for (const Way& way : ways()) {
     std::vector<double> reference;
     for (const int threads : {1, 2, 3}) {
       Bundle bundle = make_bundle(16, 200, true);

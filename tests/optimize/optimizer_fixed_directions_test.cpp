@@ -13,6 +13,7 @@
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"
 #include "boxplus/types/slam3d.h"
+#include "linear/every_solver.h"
 #include "optimize/table_entries.h"
 
 namespace boxplus {
@@ -101,14 +102,13 @@ double free_gradient(const Graph& graph) {
 TEST(FixedDirections, KeepAVehicleInThePlaneWithEverySolver) {
   std::optional<double> chi2;
   for (const bool eliminate : {false, true}) {
-    for (const auto solver : {LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg,
-                              LinearSolverKind::kDense, LinearSolverKind::kEigenSparse}) {
+    for (const detail::LinearSolverEntry& solver : every_solver()) {
       for (const AlgorithmKind algorithm : every_algorithm()) {
         Drive drive = make_drive();
         drive.graph.fix(drive.poses[0]);
         for (const auto& point : drive.points) drive.graph.set_eliminated(point, eliminate);
         Options options;
-        options.linear_solver = solver;
+        options.linear_solver = solver.kind;
         options.algorithm = algorithm;
         const Report report = optimize(drive.graph, options);
         EXPECT_EQ(report.status, Report::Status::kConverged) << report.message;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "boxplus/manifold/sim3.h"
+#include "linear/every_solver.h"
 #include "optimize/small_graphs.h"
 #include "optimize/table_entries.h"
 
@@ -135,8 +136,7 @@ std::vector<VertexHandle<SO3>> add_rotations(Graph& graph, int count) {
 
 TEST(Gauge, HoldsTheFirstVertexIfItsTypeIsNeitherAPoseNorAPoint) {
   for (const auto algorithm : {AlgorithmKind::kGaussNewton, AlgorithmKind::kDogleg}) {
-    for (const auto solver :
-         {LinearSolverKind::kBlockCholesky, LinearSolverKind::kDense, LinearSolverKind::kEigenSparse}) {
+    for (const LinearSolverKind solver : every_direct_solver()) {
       Graph graph;
       const auto rotations = add_rotations(graph, 12);
       const SO3 before = graph.estimate(rotations[0]);

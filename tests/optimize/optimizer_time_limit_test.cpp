@@ -141,8 +141,8 @@ Phase on_graph(F&& f) {
   };
 }
 
-const std::vector<std::pair<std::string, Phase>>& phases() {
-  static const std::vector<std::pair<std::string, Phase>> all{
+std::vector<std::pair<std::string, Phase>> phases() {
+  std::vector<std::pair<std::string, Phase>> all{
       {"plan", on_graph([](Graph& g, const Plan&, const StopToken& stop) { make_plan(g, {.stop = stop}); })},
       {"block structure", on_structure([](const BlockStructure& s, const StopToken& stop) {
          std::vector<BlockCoordinate> lower;
@@ -170,16 +170,13 @@ const std::vector<std::pair<std::string, Phase>>& phases() {
          Linearizer linearizer(g, plan);
          linearizer.set_stop(stop);
          linearizer.chi2();
-       })},
-      {"odometry guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
-         EXPECT_TRUE(guess_odometry(g, plan, {.stop = stop}).made);
-       })},
-      {"spanning tree guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
-         EXPECT_TRUE(guess_spanning_tree(g, plan, {.stop = stop}).made);
-       })},
-      {"chordal guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
-         EXPECT_TRUE(guess_chordal(g, plan, {.stop = stop}).made);
        })}};
+  for (const detail::StartEntry& start : every_guess()) {
+    all.emplace_back(start.name,
+                     on_graph([guess = start.guess](Graph& g, const Plan& plan, const StopToken& stop) {
+                       EXPECT_TRUE(guess(g, plan, {.stop = stop}).made);
+                     }));
+  }
   return all;
 }
 

@@ -4,6 +4,9 @@
 //     Registry registry = default_registry();
 //     registry.vertex<Pose>("VERTEX_POSE");
 //     registry.edge<MyEdge, Pose, Pose>("EDGE_MINE");
+//
+// A tag may have an example: the fields of a line with this tag, from the ids to Ω. The tests and the fuzz
+// targets of all tags are made from their examples.
 #pragma once
 
 #include <map>
@@ -11,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <typeindex>
+#include <vector>
 
 #include "boxplus/io/tag.h"
 
@@ -21,34 +25,34 @@ namespace boxplus {
 class Registry {
  public:
   template <class T>
-  void vertex(std::string name) {
-    add(detail::vertex_tag<FileFields<T>, T>(std::move(name)));
+  void vertex(std::string name, std::string example = {}) {
+    add(detail::vertex_tag<FileFields<T>, T>(std::move(name)), std::move(example));
   }
   template <class T>
-  void parameter(std::string name) {
-    add(detail::parameter_tag<T>(std::move(name)));
+  void parameter(std::string name, std::string example = {}) {
+    add(detail::parameter_tag<T>(std::move(name)), std::move(example));
   }
   /// Each V is a vertex type, Tail<T> (in the last place), or Parameter<T> (after all vertices).
   template <class E, class... V>
-  void edge(std::string name) {
-    add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)));
+  void edge(std::string name, std::string example = {}) {
+    add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)), std::move(example));
   }
   /// Adds the type of the edges whose lines have this tag and end with the same parameter twice. V… lists
   /// this parameter once.
   template <class E, class... V>
-  void edge_with_shared_parameter(const std::string& name) {
-    add_shared(name, detail::edge_tag<EdgeFields<E>, E, V...>(name));
+  void edge_with_shared_parameter(const std::string& name, std::string example = {}) {
+    add_shared(detail::edge_tag<EdgeFields<E>, E, V...>(name), std::move(example));
   }
   /// Adds an old tag of vertices (edges). The tag is only read; the vertices (edges) are written with another
   /// tag. The class Fields reads the fields of a line. It has the interface of FileFields (EdgeFields), but
   /// needs no write().
   template <class T, class Fields = FileFields<T>>
-  void old_vertex(std::string name) {
-    add_old(detail::vertex_tag<Fields, T>(std::move(name)));
+  void old_vertex(std::string name, std::string example = {}) {
+    add_old(detail::vertex_tag<Fields, T>(std::move(name)), std::move(example));
   }
   template <class Fields, class E, class... V>
-  void old_edge(std::string name) {
-    add_old(detail::edge_tag<Fields, E, V...>(std::move(name)));
+  void old_edge(std::string name, std::string example = {}) {
+    add_old(detail::edge_tag<Fields, E, V...>(std::move(name)), std::move(example));
   }
 
   /// nullptr if the tag is unknown.
@@ -56,11 +60,19 @@ class Registry {
   /// The tag under which an element is written, or nullptr.
   const Tag* tag_of(const Graph& graph, VertexRef vertex) const;
   const Tag* tag_of(const Graph& graph, EdgeRef edge) const;
+  /// All tags, sorted.
+  std::vector<std::string> names() const;
+  /// A small file: the example of the tag (and of its edges with a shared parameter), after a line for each
+  /// vertex and parameter that it refers to, made from the examples of their tags. Throws InvalidArgument if
+  /// the tag is unknown or one of these examples is missing.
+  std::string example(const std::string& name) const;
 
  private:
-  void add(Tag tag);
-  void add_old(Tag tag);
-  void add_shared(const std::string& name, Tag tag);
+  void add(Tag tag, std::string example);
+  void add_old(Tag tag, std::string example);
+  void add_shared(Tag tag, std::string example);
+  const Tag& get(const std::string& name) const;
+  std::string example_of(const Tag::Argument& argument, Id id) const;
 
   std::map<std::string, std::shared_ptr<const Tag>, std::less<>> tags_;
   std::multimap<std::type_index, std::shared_ptr<const Tag>> by_pool_;

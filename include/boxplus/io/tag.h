@@ -49,7 +49,8 @@ struct Tag {
   void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement and Ω
   /// The type to use if the last two parameters are the same, because an edge cannot list a vertex twice.
   std::shared_ptr<const Tag> shared_parameter = nullptr;
-  bool written = true;  ///< false for an old tag that is only read
+  bool written = true;       ///< false for an old tag that is only read
+  std::string example = {};  ///< the fields of a line (io/registry.h), or empty
 };
 
 /// As the last vertex type of an edge, stands for any number of vertices of type T.

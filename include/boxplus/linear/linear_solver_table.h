@@ -2,6 +2,7 @@
 // The linear solvers of the library, in one table.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -11,10 +12,18 @@
 namespace boxplus::detail {
 
 struct LinearSolverEntry {
+  enum class Method : std::uint8_t {
+    kDelegates,  ///< chooses another solver and calls it
+    kDirect,     ///< factorizes, and reports every matrix that is not positive definite
+    kIterative   ///< only approximates solutions, and has no selected inverse
+  };
+
   LinearSolverKind kind;
   std::string_view name;    ///< in reports: "block_cholesky"
   std::string_view option;  ///< for command lines: "cholesky"
   std::unique_ptr<LinearSolver> (*make)(const LinearSolverOptions& options);
+  Method method;
+  bool allocates_in_every_call = false;  ///< instead of only in the first factorize() and solve()
 };
 
 /// One entry per LinearSolverKind, in the order of help texts.

@@ -5,19 +5,25 @@
 namespace boxplus {
 
 void register_slam3d(Registry& registry) {
-  registry.vertex<SE3>("VERTEX_SE3:QUAT");
-  registry.vertex<Vector3>("VERTEX_TRACKXYZ");
-  registry.old_vertex<Vector3>("VERTEX_XYZ");
-  registry.parameter<SE3>("PARAMS_SE3OFFSET");
-  registry.edge<Between<SE3>, SE3, SE3>("EDGE_SE3:QUAT");
-  registry.edge<OffsetPointObservation3, SE3, Vector3, Parameter<SE3>>("EDGE_SE3_TRACKXYZ");
-  registry.edge<OffsetPrior<SE3>, SE3, Parameter<SE3>>("EDGE_SE3_PRIOR");
-  registry.edge<PositionPrior<Vector3>, SE3, Parameter<SE3>>("EDGE_SE3_XYZ_PRIOR");
-  registry.edge<OffsetBetween<SE3>, SE3, SE3, Parameter<SE3>, Parameter<SE3>>("EDGE_SE3_OFFSET");
-  registry.edge_with_shared_parameter<OffsetBetween<SE3>, SE3, SE3, Parameter<SE3>>("EDGE_SE3_OFFSET");
-  registry.edge<Between<Vector3>, Vector3, Vector3>("EDGE_POINTXYZ");
-  registry.edge<Prior<Vector3>, Vector3>("EDGE_POINTXYZ_PRIOR");
-  registry.edge<PointsObservation3, SE3, Tail<Vector3>>("EDGE_SE3_LOTSOF_XYZ");
+  registry.vertex<SE3>("VERTEX_SE3:QUAT", "1 1 2 3 0 0 0.6 0.8");
+  registry.vertex<Vector3>("VERTEX_TRACKXYZ", "2 1 1 2");
+  registry.old_vertex<Vector3>("VERTEX_XYZ", "2 1 1 2");
+  registry.parameter<SE3>("PARAMS_SE3OFFSET", "5 0 0 1 0 0.6 0 0.8");
+  registry.edge<Between<SE3>, SE3, SE3>("EDGE_SE3:QUAT",
+                                        "0 1 1 2 3 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
+  registry.edge<OffsetPointObservation3, SE3, Vector3, Parameter<SE3>>("EDGE_SE3_TRACKXYZ",
+                                                                       "0 2 5 1 2 3 1 0 0 1 0 1");
+  registry.edge<OffsetPrior<SE3>, SE3, Parameter<SE3>>(
+      "EDGE_SE3_PRIOR", "1 5 1 2 3 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
+  registry.edge<PositionPrior<Vector3>, SE3, Parameter<SE3>>("EDGE_SE3_XYZ_PRIOR", "1 5 1 2 3 1 0 0 1 0 1");
+  registry.edge<OffsetBetween<SE3>, SE3, SE3, Parameter<SE3>, Parameter<SE3>>(
+      "EDGE_SE3_OFFSET", "0 1 5 6 1 2 3 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
+  registry.edge_with_shared_parameter<OffsetBetween<SE3>, SE3, SE3, Parameter<SE3>>(
+      "EDGE_SE3_OFFSET", "0 1 5 5 1 2 3 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
+  registry.edge<Between<Vector3>, Vector3, Vector3>("EDGE_POINTXYZ", "2 3 0 0 1 1 0 0 1 0 1");
+  registry.edge<Prior<Vector3>, Vector3>("EDGE_POINTXYZ_PRIOR", "2 1 1 1 1 0 0 1 0 1");
+  registry.edge<PointsObservation3, SE3, Tail<Vector3>>(
+      "EDGE_SE3_LOTSOF_XYZ", "0 2 3 || 2 1 2 3 4 5 6 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
 }
 
 }  // namespace boxplus

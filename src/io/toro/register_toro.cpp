@@ -52,10 +52,11 @@ struct ToroEdge3 {
 }  // namespace
 
 void register_toro(Registry& registry) {
-  registry.old_vertex<SE2>("VERTEX2");
-  registry.old_edge<ToroEdge2, Between<SE2>, SE2, SE2>("EDGE2");
-  registry.old_vertex<SE3, ToroPose3>("VERTEX3");
-  registry.old_edge<ToroEdge3, Between<SE3>, SE3, SE3>("EDGE3");
+  registry.old_vertex<SE2>("VERTEX2", "1 1 0.1 0.5");
+  registry.old_edge<ToroEdge2, Between<SE2>, SE2, SE2>("EDGE2", "0 1 1 0 0.5 4 1 3 2 0 0.5");
+  registry.old_vertex<SE3, ToroPose3>("VERTEX3", "1 1 0 0.5 0.1 -0.2 3");
+  registry.old_edge<ToroEdge3, Between<SE3>, SE3, SE3>(
+      "EDGE3", "0 1 1 0 0.5 0.1 -0.2 3 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 4 0 0 4 0 4");
 }
 
 }  // namespace boxplus

@@ -59,7 +59,7 @@ TEST(PlyFormat, HasNoEdgesForAGraphWithoutCameras) {
 TEST(PlyFormat, CannotBeReadNorShowAGraphWithoutPositions) {
   EXPECT_THAT(complaint_of([] { parse_graph("ply\nformat ascii 1.0\n", "g"); }),
               testing::EndsWith("got .ply, which boxplus can only write"));
-  EXPECT_THAT(complaint_of([] { format_graph({}, {.format = "ply"}); }),
+  EXPECT_THAT(complaint_of([] { format_graph(Graph{}, {.format = "ply"}); }),
               HasSubstr("expected poses or points"));
 }
 
