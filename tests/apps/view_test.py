@@ -208,7 +208,7 @@ class Commands(ViewCase):
     def test_are_refused_with_a_reason_if_they_are_malformed(self):
         viewer = self.viewer()
         token = viewer.stream().token
-        for members, text in (({"type": "explode"}, "unknown"), ({}, "type"), ({"type": 3}, "type"),
+        for members, text in (({"type": "explode"}, "type: expected one of"), ({}, "type"), ({"type": 3}, "type"),
                               ({"type": "optimize", "settings": 3}, "settings: expected an object"),
                               ({"type": "optimize", "settings": {"speed": "high"}}, "'speed' is unknown"),
                               ({"type": "optimize", "settings": {"iterations": 3}}, "iterations: expected a text"),

@@ -10,7 +10,6 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/se2.h"
-#include "viewer/server/commands.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -142,7 +141,7 @@ TEST(Workspace, ShowsCovariancesUntilTheEstimatesChange) {
   EXPECT_EQ(optimized["uncertainty"], "");
   EXPECT_FALSE(optimized["arrays"].contains("covariances"));
 
-  carry_out(R"({"type": "covariances"})", workspace);
+  workspace.covariances();
   const Json uncertain = settled_frame(reader);
   EXPECT_EQ(uncertain["uncertainty"], "covariances of all 3 positions, relative to vertex 0");
   EXPECT_EQ(uncertain["arrays"]["uncertain"]["count"], 3);
