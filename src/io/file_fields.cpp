@@ -103,4 +103,43 @@ void EdgeFields<PointsObservation3>::write(const PointsObservation3& edge, Field
   write_points(edge.measurement, 3, out);
 }
 
+Segment2 FileFields<Segment2>::read(FieldReader& in) {
+  Vector<double, 4> ends;
+  in.numbers(ends.data(), 4, "a coordinate");
+  return {ends.head<2>(), ends.tail<2>()};
+}
+
+void FileFields<Segment2>::write(const Segment2& x, FieldWriter& out) {
+  for (const Vector2& end : {x.first, x.second}) {
+    out.number(end[0]);
+    out.number(end[1]);
+  }
+}
+
+Line2 FileFields<Line2>::read(FieldReader& in) {
+  const double angle = in.number("the angle θ of the normal"), distance = in.number("the distance ρ");
+  const std::int64_t first = in.integer("the id of a point, or -1");
+  return {angle, distance, {first, in.integer("the id of a point, or -1")}};
+}
+
+void FileFields<Line2>::write(const Line2& x, FieldWriter& out) {
+  out.number(as_printed(x.angle));
+  out.number(x.distance);
+  for (const std::int64_t end : x.ends) out.integer(end);
+}
+
+SegmentEndObservation2 EdgeFields<SegmentEndObservation2>::read(FieldReader& in) {
+  const FieldPlace place = in.place();
+  const std::int64_t end = in.integer("the number of the end point (0 or 1)");
+  if (end != 0 && end != 1) in.fail(place, fmt::format("expected 0 or 1, got {}", end));
+  Vector3 z;
+  in.numbers(z.data(), 3, "a number");
+  return {z, end == 1};
+}
+
+void EdgeFields<SegmentEndObservation2>::write(const SegmentEndObservation2& edge, FieldWriter& out) {
+  out.integer(edge.is_second ? 1 : 0);
+  for (int i = 0; i < 3; ++i) out.number(edge.measurement[i]);
+}
+
 }  // namespace boxplus

@@ -20,5 +20,13 @@ template class TypedEdgePool<PointsObservation2, SE2, Tail<Vector2>>;
 template class TypedEdgePool<BearingObservation2, SE2, Vector2>;
 template class TypedEdgePool<Range, SE2, Vector2>;
 template class TypedEdgePool<WheelOdometry, SE2, SE2, DifferentialDrive>;
+template class TypedVertexPool<Segment2>;
+template class TypedVertexPool<Line2>;
+template class TypedEdgePool<SegmentObservation2, SE2, Segment2>;
+template class TypedEdgePool<SegmentLineObservation2, SE2, Segment2>;
+template class TypedEdgePool<SegmentEndObservation2, SE2, Segment2>;
+template class TypedEdgePool<LineObservation2, SE2, Line2>;
+template class TypedEdgePool<LineDifference2, Line2, Line2>;
+template class TypedEdgePool<PointToLine2, Line2, Vector2>;
 
 }  // namespace boxplus::detail

@@ -11,7 +11,9 @@
 #include "boxplus/io/field_reader.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
+#include "boxplus/types/slam2d/line.h"
 #include "boxplus/types/slam2d/points_observation.h"
+#include "boxplus/types/slam2d/segment.h"
 #include "boxplus/types/slam2d/wheel_odometry.h"
 #include "boxplus/types/slam3d/points_observation.h"
 
@@ -72,6 +74,20 @@ struct FileFields<WheelSpeeds> {
   static void write(const WheelSpeeds& x, FieldWriter& out);
 };
 
+/// x1 y1 x2 y2.
+template <>
+struct FileFields<Segment2> {
+  static Segment2 read(FieldReader& in);
+  static void write(const Segment2& x, FieldWriter& out);
+};
+
+/// θ ρ, and the ids of two points or −1.
+template <>
+struct FileFields<Line2> {
+  static Line2 read(FieldReader& in);
+  static void write(const Line2& x, FieldWriter& out);
+};
+
 /// Writes a measured pose, which was read by FileFields<SE3> and normalized, with the fewest digits that read
 /// back to the same pose.
 void write_measurement(const SE3& z, FieldWriter& out);
@@ -111,6 +127,13 @@ template <>
 struct EdgeFields<PointsObservation3> {
   static PointsObservation3 read(FieldReader& in);
   static void write(const PointsObservation3& edge, FieldWriter& out);
+};
+
+/// The number of the end point (0 or 1), then x y θ.
+template <>
+struct EdgeFields<SegmentEndObservation2> {
+  static SegmentEndObservation2 read(FieldReader& in);
+  static void write(const SegmentEndObservation2& edge, FieldWriter& out);
 };
 
 }  // namespace boxplus

@@ -30,6 +30,15 @@ void register_slam2d(Registry& registry) {
                                                               "0 2 3 1 2 3 4 1 0 0 0 1 0 0 1 0 1");
   registry.edge<PointsObservation2, SE2, Tail<Vector2>>("EDGE_SE2_LOTSOFXY",
                                                         "0 2 3 || 2 1 2 3 4 1 0 0 0 1 0 0 1 0 1");
+  registry.vertex<Segment2>("VERTEX_SEGMENT2D", "9 1 2 3 4");
+  registry.vertex<Line2>("VERTEX_LINE2D", "10 0.5 2 -1 -1");
+  registry.edge<SegmentObservation2, SE2, Segment2>("EDGE_SE2_SEGMENT2D", "0 9 1 2 3 4 1 0 0 0 1 0 0 1 0 1");
+  registry.edge<SegmentLineObservation2, SE2, Segment2>("EDGE_SE2_SEGMENT2D_LINE", "0 9 0.5 2 1 0 1");
+  registry.edge<SegmentEndObservation2, SE2, Segment2>("EDGE_SE2_SEGMENT2D_POINTLINE",
+                                                       "0 9 1 3 4 0.5 1 0 0 1 0 1");
+  registry.edge<LineObservation2, SE2, Line2>("EDGE_SE2_LINE2D", "0 10 0.5 2 1 0 1");
+  registry.edge<LineDifference2, Line2, Line2>("EDGE_LINE2D", "10 11 0.25 1 1 0 1");
+  registry.edge<PointToLine2, Line2, Vector2>("EDGE_LINE2D_POINTXY", "10 2 0.5 4");
 }
 
 }  // namespace boxplus
