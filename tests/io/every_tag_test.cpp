@@ -15,7 +15,7 @@ namespace {
 
 class EveryTag : public testing::TestWithParam<std::string> {
  protected:
-  const std::string text = default_registry().example(GetParam());
+  const std::string text_ = default_registry().example(GetParam());
 };
 
 INSTANTIATE_TEST_SUITE_P(Library, EveryTag, testing::ValuesIn(default_registry().names()),
@@ -26,12 +26,12 @@ INSTANTIATE_TEST_SUITE_P(Library, EveryTag, testing::ValuesIn(default_registry()
                          });
 
 TEST_P(EveryTag, IsWrittenAsItIsReadUnlessItIsOld) {
-  const GraphFile file = parse_graph(text, "g");
+  const GraphFile file = parse_graph(text_, "g");
   EXPECT_TRUE(file.kept.empty());
   EXPECT_TRUE(file.notes.empty());
   const std::string written = format_graph(file);
   if (default_registry().find(GetParam())->written) {
-    EXPECT_EQ(written, text);
+    EXPECT_EQ(written, text_);
   } else {
     EXPECT_EQ(written.find(GetParam() + " "), std::string::npos);
     EXPECT_EQ(format_graph(parse_graph(written, "g")), written);
@@ -72,13 +72,13 @@ void expect_complaint(const LastLine& last, const std::string& bad, std::size_t 
 }
 
 TEST_P(EveryTag, HasNoLineThatCanEndEarlier) {
-  const LastLine last(text);
+  const LastLine last(text_);
   for (std::size_t count = 1; count < last.fields.size(); ++count)
     expect_complaint(last, last.begin(count), last.begin(count).size() + 1);
 }
 
 TEST_P(EveryTag, HasNoFieldThatCanBeAWord) {
-  const LastLine last(text);
+  const LastLine last(text_);
   for (std::size_t i = 1; i < last.fields.size(); ++i) {
     LastLine bad = last;
     bad.fields[i] = "word";
@@ -87,7 +87,7 @@ TEST_P(EveryTag, HasNoFieldThatCanBeAWord) {
 }
 
 TEST_P(EveryTag, HasNoLineThatCanBeLonger) {
-  const LastLine last(text);
+  const LastLine last(text_);
   const std::string line = last.begin(last.fields.size());
   expect_complaint(last, line + " 1", line.size() + 2);
 }
@@ -117,7 +117,7 @@ TEST_P(EveryTag, HasCorrectJacobiansAtRandomEstimates) {
   if (default_registry().find(GetParam())->kind != Tag::Kind::kEdge) GTEST_SKIP() << "not an edge";
   std::mt19937 random(1);
   for (int trial = 0; trial < 10; ++trial) {
-    const GraphFile file = parse_graph(text, "g");
+    const GraphFile file = parse_graph(text_, "g");
     move_all_vertices(file.graph, random);
     ASSERT_FALSE(file.edges.empty());
     for (const EdgeRef& edge : file.edges) {
