@@ -25,34 +25,34 @@ namespace boxplus {
 class Registry {
  public:
   template <class T>
-  void vertex(std::string name, std::string example = {}) {
-    add(detail::vertex_tag<FileFields<T>, T>(std::move(name)), std::move(example));
+  void vertex(std::string name, const std::string& example = {}) {
+    add(detail::vertex_tag<FileFields<T>, T>(std::move(name)), example);
   }
   template <class T>
-  void parameter(std::string name, std::string example = {}) {
-    add(detail::parameter_tag<T>(std::move(name)), std::move(example));
+  void parameter(std::string name, const std::string& example = {}) {
+    add(detail::parameter_tag<T>(std::move(name)), example);
   }
   /// Each V is a vertex type, Tail<T> (in the last place), or Parameter<T> (after all vertices).
   template <class E, class... V>
-  void edge(std::string name, std::string example = {}) {
-    add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)), std::move(example));
+  void edge(std::string name, const std::string& example = {}) {
+    add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)), example);
   }
   /// Adds the type of the edges whose lines have this tag and end with the same parameter twice. V… lists
   /// this parameter once.
   template <class E, class... V>
-  void edge_with_shared_parameter(const std::string& name, std::string example = {}) {
-    add_shared(detail::edge_tag<EdgeFields<E>, E, V...>(name), std::move(example));
+  void edge_with_shared_parameter(const std::string& name, const std::string& example = {}) {
+    add_shared(detail::edge_tag<EdgeFields<E>, E, V...>(name), example);
   }
   /// Adds an old tag of vertices (edges). The tag is only read; the vertices (edges) are written with another
   /// tag. The class Fields reads the fields of a line. It has the interface of FileFields (EdgeFields), but
   /// needs no write().
   template <class T, class Fields = FileFields<T>>
-  void old_vertex(std::string name, std::string example = {}) {
-    add_old(detail::vertex_tag<Fields, T>(std::move(name)), std::move(example));
+  void old_vertex(std::string name, const std::string& example = {}) {
+    add_old(detail::vertex_tag<Fields, T>(std::move(name)), example);
   }
   template <class Fields, class E, class... V>
-  void old_edge(std::string name, std::string example = {}) {
-    add_old(detail::edge_tag<Fields, E, V...>(std::move(name)), std::move(example));
+  void old_edge(std::string name, const std::string& example = {}) {
+    add_old(detail::edge_tag<Fields, E, V...>(std::move(name)), example);
   }
 
   /// nullptr if the tag is unknown.
