@@ -15,54 +15,54 @@ using testing::StartsWith;
 class ViewerTest : public testing::Test {
  protected:
   ViewerTest() {
-    vertex = graph.add_vertex(0.0);
-    graph.add_edge([](double x) { return x * x - 2; }, vertex);
-    graph.set_estimate(vertex, 1.0);
+    vertex_ = graph_.add_vertex(0.0);
+    graph_.add_edge([](double x) { return x * x - 2; }, vertex_);
+    graph_.set_estimate(vertex_, 1.0);
   }
 
-  Graph graph;
-  VertexHandle<double> vertex;
+  Graph graph_;
+  VertexHandle<double> vertex_;
 };
 
 TEST_F(ViewerTest, CallsTheCallbackOfTheOptionsToo) {
-  Viewer viewer(graph);
+  Viewer viewer(graph_);
   EXPECT_THAT(viewer.url(), StartsWith("http://127.0.0.1:"));
   Options options;
   int calls = 0;
   options.callback = [&](const IterationRecord&) { return ++calls < 2; };
-  const Report report = optimize(graph, viewer.watch(options));
+  const Report report = optimize(graph_, viewer.watch(options));
   viewer.show(report);
   EXPECT_EQ(report.reason, Report::Reason::kCallback);
   EXPECT_EQ(calls, 2);
 }
 
 TEST_F(ViewerTest, ChangesNoResult) {
-  Graph copy(graph);
-  Viewer viewer(graph);
-  EXPECT_EQ(optimize(graph, viewer.watch()).chi2_final, optimize(copy).chi2_final);
-  EXPECT_EQ(graph.estimate(vertex), copy.estimate(vertex));
+  Graph copy(graph_);
+  Viewer viewer(graph_);
+  EXPECT_EQ(optimize(graph_, viewer.watch()).chi2_final, optimize(copy).chi2_final);
+  EXPECT_EQ(graph_.estimate(vertex_), copy.estimate(vertex_));
 }
 
 TEST_F(ViewerTest, GivesTheGraphBack) {
-  Viewer viewer(graph);
+  Viewer viewer(graph_);
   viewer.hand_over();
   viewer.hand_over();
   viewer.take_back();
   viewer.take_back();
-  EXPECT_TRUE(optimize(graph, viewer.watch()).converged());
-  EXPECT_THROW(graph.pop(), InvalidArgument);
+  EXPECT_TRUE(optimize(graph_, viewer.watch()).converged());
+  EXPECT_THROW(graph_.pop(), InvalidArgument);
 }
 
 TEST_F(ViewerTest, LeavesTheStackOfTheGraphAsItWas) {
   {
-    Viewer viewer(graph);
+    Viewer viewer(graph_);
     viewer.hand_over();
   }
-  EXPECT_THROW(graph.pop(), InvalidArgument);
+  EXPECT_THROW(graph_.pop(), InvalidArgument);
 }
 
 TEST_F(ViewerTest, TakesAFreePortIfTheUsualOneIsTaken) {
-  const Viewer one(graph), other(graph);
+  const Viewer one(graph_), other(graph_);
   EXPECT_NE(one.url(), other.url());
 }
 

@@ -21,7 +21,7 @@ using testing::SizeIs;
 /// A prior, a wrong step from 4 to 5, and a correct one from 5 to 7.
 class ElementTest : public testing::Test {
  protected:
-  GraphFile file = parse_graph(
+  GraphFile file_ = parse_graph(
       "VERTEX_SE2 4 0 0 0\n"
       "VERTEX_SE2 5 1 0 0\n"
       "VERTEX_SE2 7 2 0.5 0\n"
@@ -30,27 +30,27 @@ class ElementTest : public testing::Test {
       "EDGE_SE2 5 7 1 0.5 0 1 0 0 1 0 1\n"
       "EDGE_SE2 4 5 3 0 0 4 0 0 4 0 4\n",
       "test");
-  Graph& graph = file.graph;
-  Structure structure = make_structure(graph);
+  Graph& graph_ = file_.graph;
+  Structure structure_ = make_structure(graph_);
 
   VertexRef vertex(Kind kind, std::uint64_t number) {
-    return std::get<VertexRef>(find_element(graph, structure, {kind, number}));
+    return std::get<VertexRef>(find_element(graph_, structure_, {kind, number}));
   }
   EdgeRef edge(Kind kind, std::uint64_t number) {
-    return std::get<EdgeRef>(find_element(graph, structure, {kind, number}));
+    return std::get<EdgeRef>(find_element(graph_, structure_, {kind, number}));
   }
 };
 
 TEST_F(ElementTest, IsFoundByItsNumberInThePictureOrItsId) {
-  EXPECT_EQ(graph.id(vertex(Kind::kVertex, 2)), 7);
-  EXPECT_EQ(graph.id(vertex(Kind::kId, 7)), 7);
-  EXPECT_EQ(edge(Kind::kLine, 0), file.edges[1]);
-  EXPECT_EQ(edge(Kind::kLine, 1), file.edges[2]);
+  EXPECT_EQ(graph_.id(vertex(Kind::kVertex, 2)), 7);
+  EXPECT_EQ(graph_.id(vertex(Kind::kId, 7)), 7);
+  EXPECT_EQ(edge(Kind::kLine, 0), file_.edges[1]);
+  EXPECT_EQ(edge(Kind::kLine, 1), file_.edges[2]);
 }
 
 TEST_F(ElementTest, OfEachEdgeHasANumber) {
-  for (const EdgeRef& ref : file.edges)
-    EXPECT_EQ(edge(Kind::kEdge, facts_of(graph, structure, ref).number), ref);
+  for (const EdgeRef& ref : file_.edges)
+    EXPECT_EQ(edge(Kind::kEdge, facts_of(graph_, structure_, ref).number), ref);
 }
 
 TEST_F(ElementTest, WithAWrongNumberIsRefused) {
@@ -61,13 +61,13 @@ TEST_F(ElementTest, WithAWrongNumberIsRefused) {
     EXPECT_THROW(edge(Kind::kLine, number), InvalidArgument);
     EXPECT_THROW(edge(Kind::kEdge, number), InvalidArgument);
   }
-  const std::uint64_t removed = facts_of(graph, structure, file.edges[1]).number;
-  graph.remove(file.edges[1]);
+  const std::uint64_t removed = facts_of(graph_, structure_, file_.edges[1]).number;
+  graph_.remove(file_.edges[1]);
   EXPECT_THROW(edge(Kind::kEdge, removed), InvalidArgument);
 }
 
 TEST_F(ElementTest, ThatIsAVertexListsItsWorstEdgesFirst) {
-  const VertexFacts facts = facts_of(graph, structure, vertex(Kind::kId, 5));
+  const VertexFacts facts = facts_of(graph_, structure_, vertex(Kind::kId, 5));
   EXPECT_EQ(facts.id, 5);
   EXPECT_EQ(facts.number, 1U);
   EXPECT_EQ(facts.tag, "VERTEX_SE2");
@@ -77,12 +77,12 @@ TEST_F(ElementTest, ThatIsAVertexListsItsWorstEdgesFirst) {
   EXPECT_DOUBLE_EQ(facts.edges[0].chi2, 4 * 2 * 2);
   EXPECT_EQ(facts.edges[0].line, 1U);
   EXPECT_DOUBLE_EQ(facts.edges[1].chi2, 0);
-  EXPECT_TRUE(facts_of(graph, structure, vertex(Kind::kId, 4)).is_fixed);
+  EXPECT_TRUE(facts_of(graph_, structure_, vertex(Kind::kId, 4)).is_fixed);
 }
 
 TEST_F(ElementTest, ThatIsAnEdgeHasItsErrorAndItsWeight) {
-  graph.set_kernel(file.edges[2], Huber(1));
-  const EdgeFacts facts = facts_of(graph, structure, file.edges[2]);
+  graph_.set_kernel(file_.edges[2], Huber(1));
+  const EdgeFacts facts = facts_of(graph_, structure_, file_.edges[2]);
   EXPECT_EQ(facts.tag, "EDGE_SE2");
   EXPECT_EQ(facts.fields, "3 0 0 4 0 0 4 0 4");
   EXPECT_THAT(facts.error, ElementsAre(-2, 0, 0));
@@ -96,7 +96,7 @@ TEST_F(ElementTest, ThatIsAnEdgeHasItsErrorAndItsWeight) {
 }
 
 TEST_F(ElementTest, ThatIsNotDrawnHasNoLine) {
-  const EdgeFacts facts = facts_of(graph, structure, file.edges[0]);
+  const EdgeFacts facts = facts_of(graph_, structure_, file_.edges[0]);
   EXPECT_EQ(facts.line, std::nullopt);
   EXPECT_EQ(facts.vertices, 1U);
 }

@@ -19,15 +19,15 @@ using Json = nlohmann::json;
 class ElementRequests : public testing::Test {
  protected:
   void SetUp() override {
-    workspace.show(parse_graph("VERTEX_SE2 0 0 0 0\n"
-                               "VERTEX_SE2 1 3 0 0\n"
-                               "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n",
-                               "small.g2o"),
-                   "small.g2o");
+    workspace_.show(parse_graph("VERTEX_SE2 0 0 0 0\n"
+                                "VERTEX_SE2 1 3 0 0\n"
+                                "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n",
+                                "small.g2o"),
+                    "small.g2o");
   }
   std::string answer(const Parameters& parameters) {
     const ElementRequest request = parse_element_request(parameters);
-    return workspace.describe(request.structure, request.name);
+    return workspace_.describe(request.structure, request.name);
   }
   std::string refusal(const Parameters& parameters) {
     try {
@@ -36,7 +36,7 @@ class ElementRequests : public testing::Test {
       return error.what();
     }
   }
-  Workspace workspace;
+  Workspace workspace_;
 };
 
 TEST_F(ElementRequests, ForAVertexIsAnsweredWithItsEdges) {

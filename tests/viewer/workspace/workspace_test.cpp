@@ -316,8 +316,8 @@ TEST(Workspace, ReportsAnErrorFunctionThatThrows) {
 class HeldWorkspace : public testing::Test {
  protected:
   HeldWorkspace() {
-    workspace.show(std::make_unique<GraphSubject>(file.graph, "own"));
-    workspace.hold();
+    workspace_.show(std::make_unique<GraphSubject>(file_.graph, "own"));
+    workspace_.hold();
   }
 
   /// Optimizes as a program does.
@@ -325,18 +325,18 @@ class HeldWorkspace : public testing::Test {
     Options options;
     options.max_iterations = iterations;
     options.cost_tolerance = options.step_tolerance = 0;
-    options.callback = [&](const IterationRecord& record) { return workspace.watch(record); };
-    Report report = optimize(file.graph, options);
-    workspace.watch_end(outcome_of(report));
+    options.callback = [&](const IterationRecord& record) { return workspace_.watch(record); };
+    Report report = optimize(file_.graph, options);
+    workspace_.watch_end(outcome_of(report));
     return report;
   }
 
-  GraphFile file = small_graph();
-  Workspace workspace{nullptr};
+  GraphFile file_ = small_graph();
+  Workspace workspace_{nullptr};
 };
 
 TEST_F(HeldWorkspace, ShowsTheRunOfItsProgram) {
-  Workspace::Reader reader(workspace, "");
+  Workspace::Reader reader(workspace_, "");
   const Report report = optimize_as_program(4);
   const Json state = last_state(reader);
   EXPECT_EQ(state["run"]["status"], to_string(report.status));
@@ -345,36 +345,36 @@ TEST_F(HeldWorkspace, ShowsTheRunOfItsProgram) {
 }
 
 TEST_F(HeldWorkspace, RefusesCommandsUntilItIsHandedOver) {
-  EXPECT_THROW(workspace.optimize({}), Busy);
-  EXPECT_THROW(workspace.formatted("g2o"), Busy);
-  workspace.hand_over();
-  Workspace::Reader reader(workspace, "");
-  workspace.optimize({});
+  EXPECT_THROW(workspace_.optimize({}), Busy);
+  EXPECT_THROW(workspace_.formatted("g2o"), Busy);
+  workspace_.hand_over();
+  Workspace::Reader reader(workspace_, "");
+  workspace_.optimize({});
   EXPECT_EQ(settled(reader)["run"]["status"], "converged");
-  EXPECT_THAT(workspace.formatted("g2o"), HasSubstr("EDGE_SE2"));
-  EXPECT_THROW(workspace.open("a.g2o", "VERTEX_SE2 0 0 0 0"), InvalidArgument);
+  EXPECT_THAT(workspace_.formatted("g2o"), HasSubstr("EDGE_SE2"));
+  EXPECT_THROW(workspace_.open("a.g2o", "VERTEX_SE2 0 0 0 0"), InvalidArgument);
 }
 
 TEST_F(HeldWorkspace, StopsTheRunOfItsProgramOnlyWhileItGoesOn) {
-  workspace.stop();
+  workspace_.stop();
   EXPECT_GT(optimize_as_program(3).iterations, 1);
   Options options;
   options.callback = [&](const IterationRecord& record) {
-    const bool goes_on = workspace.watch(record);
-    workspace.stop();
+    const bool goes_on = workspace_.watch(record);
+    workspace_.stop();
     return goes_on;
   };
   options.cost_tolerance = options.step_tolerance = 0;
-  const Report report = optimize(file.graph, options);
+  const Report report = optimize(file_.graph, options);
   EXPECT_EQ(report.reason, Report::Reason::kCallback);
   EXPECT_EQ(report.iterations, 2);
 }
 
 TEST_F(HeldWorkspace, ShowsElementsThatItsProgramAdds) {
-  Workspace::Reader reader(workspace, "");
+  Workspace::Reader reader(workspace_, "");
   last_state(reader);
-  file.graph.add_vertex(SE2(1, 1, 0));
-  workspace.update();
+  file_.graph.add_vertex(SE2(1, 1, 0));
+  workspace_.update();
   const std::vector<Message> messages = reader.wait(10s);
   ASSERT_EQ(messages.size(), 4U);
   EXPECT_EQ(kind_of(messages[2]), MessageKind::kStructure);
@@ -382,15 +382,15 @@ TEST_F(HeldWorkspace, ShowsElementsThatItsProgramAdds) {
 }
 
 TEST_F(HeldWorkspace, LeavesTheStackOfTheGraphAsItWas) {
-  workspace.hand_over();
-  Workspace::Reader reader(workspace, "");
+  workspace_.hand_over();
+  Workspace::Reader reader(workspace_, "");
   const double before = settled(reader)["chi2"].get<double>();
-  workspace.step({});
+  workspace_.step({});
   EXPECT_LT(settled(reader)["chi2"].get<double>(), before);
-  workspace.reset();
+  workspace_.reset();
   EXPECT_EQ(settled(reader)["chi2"].get<double>(), before);
-  workspace.hold();
-  EXPECT_THROW(file.graph.pop(), InvalidArgument);
+  workspace_.hold();
+  EXPECT_THROW(file_.graph.pop(), InvalidArgument);
 }
 
 TEST(Workspace, WakesItsReadersWhenItEnds) {
