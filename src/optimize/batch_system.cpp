@@ -322,7 +322,7 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
   StepResult result = {LinearStatus::kNotPositiveDefinite};
   if (!is_precise_) result = factorize_and_solve(damping, step);
   const bool is_lost = result.status == LinearStatus::kNotPositiveDefinite;
-  if (is_precise_ || (is_lost && affordable_precise_steps() > 0 && is_stiff()))
+  if (is_precise_ || (is_lost && is_stiff() && affordable_precise_steps() > 0))
     result = solve_precisely(damping, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
   return result;

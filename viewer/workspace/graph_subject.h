@@ -13,6 +13,9 @@
 
 namespace boxplus::viewer {
 
+/// The end of a run of boxplus.
+Outcome outcome_of(const Report& report);
+
 class GraphSubject final : public Subject {
  public:
   /// Owns the graph of a file. It must have estimates.

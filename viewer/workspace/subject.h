@@ -39,9 +39,6 @@ struct Outcome {
   std::vector<IterationRecord> rows = {};  ///< all that belong to the result
 };
 
-/// The end of a run of boxplus.
-Outcome outcome_of(const Report& report);
-
 /// A graph with its optimizer. One thread at a time calls its functions.
 class Subject {
  public:
@@ -65,8 +62,8 @@ class Subject {
   /// The frame at rest with the covariances of positions, or with the reason why there are none.
   virtual Message uncertain_frame(const FrameFacts& facts, Listener& listener) const = 0;
 
-  /// What there is to say about an element, as JSON with the number of the structure. It must be fast. Throws
-  /// InvalidArgument if there is no such element.
+  /// Describes an element as JSON, with the number of the structure. Must be fast. Throws InvalidArgument if
+  /// there is no such element.
   virtual std::string describe(const ElementName& name, std::uint64_t structure) const = 0;
   /// Changes the graph, and returns what was done. Throws InvalidArgument, and changes nothing, if this is
   /// impossible.

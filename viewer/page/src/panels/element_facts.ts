@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What there is to say about a vertex or an edge, as elements of the page.
+// Describes a vertex or an edge, as elements of the page.
 import { count, counted, general } from "../format";
 import type { EdgeEnd, EdgeFacts, ElementFacts, ElementName, VertexFacts } from "../protocol/element";
 import { create } from "./dom";

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a reader of a workspace gets: the state as JSON, and the messages that are new to it.
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "viewer/workspace/workspace.h"
+
+namespace boxplus::viewer {
+namespace {
+
+using Json = nlohmann::json;
+
+Json row_json(const IterationRecord& record) {
+  return {{"iteration", record.iteration}, {"chi2", record.chi2},     {"chi2_decrease", record.chi2_decrease},
+          {"step_max", record.step_max},   {"lambda", record.lambda}, {"radius", record.radius},
+          {"tries", record.tries},         {"time_s", record.time_s}};
+}
+
+/// Returns the items from `first` as an array.
+template <class T, class F>
+Json news_of(const std::vector<T>& items, std::size_t first, F&& json) {
+  Json news = Json::array();
+  for (std::size_t k = first; k < items.size(); ++k) news.push_back(json(items[k]));
+  return news;
+}
+
+}  // namespace
+
+Workspace::Reader::Reader(Workspace& workspace, std::string greeting)
+    : workspace_(workspace), greeting_(std::move(greeting)) {
+  ++workspace_.readers_;
+}
+
+Workspace::Reader::~Reader() {
+  --workspace_.readers_;
+}
+
+std::vector<Message> Workspace::Reader::wait(std::chrono::milliseconds patience) {
+  Workspace& w = workspace_;
+  std::unique_lock lock(w.mutex_);
+  w.has_news_.wait_for(lock, patience, [&] { return w.ending_ || w.version_ != version_; });
+  std::vector<Message> messages;
+  if (w.version_ == version_) return messages;
+  version_ = w.version_;
+  messages.push_back(make_message(MessageKind::kState, state_json()));
+  greeting_.clear();
+  run_ = w.run_number_;
+  rows_ = w.rows_.size();
+  lines_ = w.log_.size();
+  if (std::exchange(structure_, w.structure_number_) != w.structure_number_) {
+    messages.push_back(w.form_message_);
+    messages.push_back(w.structure_message_);
+  }
+  if (std::exchange(frame_, w.sequence_) != w.sequence_) messages.push_back(w.frame_message_);
+  return messages;
+}
+
+std::string Workspace::Reader::state_json() const {
+  const Workspace& w = workspace_;
+  Json state = greeting_.empty() ? Json::object() : Json::parse(greeting_);
+  state["busy"] = w.is_busy_;
+  state["activity"] = w.activity_;
+  state["error"] = w.error_.empty() ? Json(nullptr) : Json(w.error_);
+  state["file"] = nullptr;
+  if (w.facts_) {
+    state["file"] = {{"name", w.facts_->name},
+                     {"format", w.facts_->format},
+                     {"vertices", w.facts_->vertices},
+                     {"edges", w.facts_->edges},
+                     {"dimension", w.facts_->dimension}};
+  }
+  state["chi2"] = w.chi2_;
+  state["chi2_initial"] = w.chi2_initial_;
+  state["can_step"] = !w.is_busy_ && w.facts_ && w.facts_->edges > 0;
+  if (w.has_run_) {
+    const std::size_t first = run_ == w.run_number_ ? rows_ : 0;
+    state["run"] = {
+        {"number", w.run_number_}, {"first_row", first},      {"rows", news_of(w.rows_, first, row_json)},
+        {"status", w.status_},     {"headline", w.headline_}, {"summary", w.summary_}};
+  } else {
+    state["run"] = nullptr;
+  }
+  state["log"] = {{"first", lines_}, {"lines", news_of(w.log_, lines_, [](const Line& line) {
+                                        return Json{{"level", line.level}, {"text", line.text}};
+                                      })}};
+  // Names and notes may contain bytes of the file that are not valid UTF-8.
+  return state.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace boxplus::viewer
