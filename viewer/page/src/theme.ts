@@ -72,11 +72,13 @@ export function typeColor(theme: Theme, group: VertexGroup | EdgeGroup): Color {
 }
 
 /** The color of each class. */
-export function classColors({ ramp, distinct }: Theme, { scale, classes }: Coloring): Color[] {
+export function classColors({ ramp, distinct }: Theme, { scale, has_rest, classes }: Coloring): Color[] {
   if (scale === "distinct") return distinct.slice(0, classes.length);
   const [low, middle, high] = ramp;
+  const last = classes.length - (has_rest ? 2 : 1);
   return classes.map((_, i) => {
-    const place = classes.length > 1 ? (2 * i) / (classes.length - 1) : 0;
+    if (i > last) return distinct[MOST_CLASSES - 1]!;
+    const place = last > 0 ? (2 * i) / last : 0;
     return place < 1 ? low.clone().lerp(middle, place) : middle.clone().lerp(high, place - 1);
   });
 }

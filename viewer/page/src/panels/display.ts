@@ -17,6 +17,7 @@ const COLOR_MODE_NAMES: Record<ColorMode, string> = {
   type: "Type",
   degree: "Degree (number of edges)",
   component: "Connected component",
+  uncertainty: "Uncertainty (1σ)",
 };
 const MOST_TRACK_LENGTH = 20;
 /** The slider of errors is logarithmic: powers of 10. */
@@ -190,10 +191,17 @@ export class Display {
     });
     const { left_out } = this.structure!;
     const notes = [
-      ...(left_out > 0 ? ["Edges that are not drawn do not count."] : []),
+      ...this.uncertaintyNotes(),
+      ...(left_out > 0 && this.options.color_mode !== "uncertainty" ? ["Edges that are not drawn do not count."] : []),
       ...(this.options.poses_as_axes ? ["Axes keep their own colors."] : []),
     ];
     this.legend.replaceChildren(...rows, ...notes.map((note) => create("p", { className: "dim" }, note)));
+  }
+
+  private uncertaintyNotes(): string[] {
+    if (this.options.color_mode !== "uncertainty") return [];
+    if (!this.view.shown?.uncertainty) return ["Compute the uncertainty first."];
+    return ["Standard deviation of the position, in the unit of the graph."];
   }
 
   private updateFilterText(): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All objects of one structure. Frames change their positions; options and theme change their looks.
 import { Color, Group, Matrix3, Matrix4, Vector3 } from "three";
-import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
+import type { EdgeGroup, Frame, Structure, Uncertainty, VertexGroup } from "../protocol/messages";
 import { classColors, type Theme, typeColor } from "../theme";
 import type { Budget } from "./budget";
 import { type Coloring, type ColorMode, coloringOf } from "./coloring";
@@ -50,6 +50,9 @@ export class GraphScene {
   private center: Vector3 | null = null;
   private poses_as_axes = false;
   private color_mode: ColorMode = "type";
+  /** Of the last frame. */
+  private uncertainty: Uncertainty | null = null;
+  private has_new_uncertainty = false;
   /** The classes of vertices that have a color each; null if vertices are colored by type. */
   coloring: Coloring | null = null;
 
@@ -84,6 +87,10 @@ export class GraphScene {
       this.line_values = frame.line_values;
       this.has_new_values = true;
     }
+    if (frame.uncertainty !== this.uncertainty) {
+      this.uncertainty = frame.uncertainty;
+      this.has_new_uncertainty = true;
+    }
     if (changed) this.updateVisible();
     this.ellipses.update(frame, this.vertices);
   }
@@ -112,7 +119,7 @@ export class GraphScene {
   /** `spacing` is the typical distance between poses. */
   applyOptions(options: DisplayOptions, spacing: number, theme: Theme): void {
     if (options.poses_as_axes !== this.poses_as_axes) this.changeShapes(options.poses_as_axes);
-    if (options.color_mode !== this.color_mode) this.changeColoring(options.color_mode);
+    this.colorVertices(options.color_mode);
     const uses_classes = this.coloring !== null;
     if (this.coloring) {
       classColors(theme, this.coloring).forEach((color, i) => shared.class_colors.value[i]!.copy(color));
@@ -257,9 +264,12 @@ export class GraphScene {
     }
   }
 
-  private changeColoring(mode: ColorMode): void {
+  private colorVertices(mode: ColorMode): void {
+    const is_new = mode !== this.color_mode || (mode === "uncertainty" && this.has_new_uncertainty);
+    if (!is_new) return;
     this.color_mode = mode;
-    this.coloring = coloringOf(this.structure, mode);
+    this.has_new_uncertainty = false;
+    this.coloring = coloringOf(this.structure, mode, this.uncertainty);
     if (!this.coloring) return;
     this.vertices.setClasses(this.coloring.of_vertex);
     for (const group of this.groups) {

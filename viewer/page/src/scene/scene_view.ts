@@ -234,7 +234,7 @@ export class SceneView {
   private show(frame: Frame): void {
     const graph = this.graph!;
     const is_first = this.frame === null;
-    const brings_news = is_first || frame.line_values !== null || frame.uncertainty !== this.frame?.uncertainty;
+    const brings_values = frame.line_values !== null || frame.uncertainty !== (this.frame?.uncertainty ?? null);
     const brings_errors = frame.errors !== null && this.options.limits.most_error < Infinity;
     this.frame = frame;
     this.pending = null;
@@ -243,8 +243,8 @@ export class SceneView {
     if (is_first && !this.keeps_camera) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
     if (this.follows) this.followGraph();
     this.updateSpacing(graph, frame);
-    if (frame.line_values) graph.applyOptions(this.options, this.spacing, currentTheme());
-    if (brings_news) this.on_structure(graph);
+    if (brings_values) graph.applyOptions(this.options, this.spacing, currentTheme());
+    if (is_first || brings_values) this.on_structure(graph);
   }
 
   private followGraph(): void {
