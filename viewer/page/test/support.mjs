@@ -147,7 +147,7 @@ export async function pictureAtRest(page) {
   return picture(page);
 }
 
-async function startBrowser() {
+export async function startBrowser() {
   const playwright = await import("playwright-core").catch(() =>
     skip("node_modules of viewer/page are missing; scripts/page_tools.sh installs them"));
   const executable = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, "chromium")).find(isExecutable);
@@ -156,7 +156,7 @@ async function startBrowser() {
 }
 
 /** Starts `boxplus view`, which prints its URL. */
-async function startViewer(boxplus, file) {
+export async function startViewer(boxplus, file) {
   const process_of_viewer = spawn(boxplus, ["view", file, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
   const exit = new Promise((resolve, reject) => {
     process_of_viewer.on("exit", (code, signal) => resolve(code ?? signal));

@@ -183,6 +183,16 @@ export class GraphScene {
     return (this.center ?? new Vector3()).clone().applyMatrix3(this.rotation);
   }
 
+  /** How much is drawn without a limit. */
+  get drawableCounts(): Budget {
+    const count = (parts: { drawableCount: number }[]) => parts.reduce((sum, part) => sum + part.drawableCount, 0);
+    return {
+      lines: count(this.edges),
+      poses: count(this.groups.filter((group) => group instanceof Poses)),
+      points: count(this.groups.filter((group) => group instanceof PointCloud)),
+    };
+  }
+
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */
   limit(budget: Budget): void {
     limitParts([...this.edges, ...(this.ghost?.edges ?? [])], budget.lines);

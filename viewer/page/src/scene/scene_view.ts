@@ -9,6 +9,7 @@ import { type DisplayOptions, defaultOptions } from "./display_options";
 import { GraphScene } from "./graph_scene";
 import { shared } from "./materials";
 import type { Picked } from "./picking";
+import { Smoothing } from "./smoothing";
 import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./statistics";
 
 /** How much of its color the farthest part of a graph in 3-D loses. */
@@ -31,6 +32,7 @@ export class SceneView {
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
+  private readonly smoothing: Smoothing;
   private readonly world = new Scene();
   private readonly rig: CameraRig;
   private readonly budget = new AdaptiveBudget();
@@ -50,7 +52,8 @@ export class SceneView {
 
   /** Throws if the browser has no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.smoothing = new Smoothing(this.renderer);
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.rig = new CameraRig(canvas, () => this.moved(), () => this.requestPicture());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -222,7 +225,8 @@ export class SceneView {
     if (this.pending) this.show(this.pending);
     this.setFading();
     this.graph?.limit(budget);
-    this.renderer.render(this.world, this.rig.camera);
+    const painter = this.graph && this.budget.isSmooth(this.graph.drawableCounts, this.isMoving) ? this.smoothing : this.renderer;
+    painter.render(this.world, this.rig.camera);
     if (this.frame) ++this.pictures;
     if (is_new) this.on_frame();
   }
