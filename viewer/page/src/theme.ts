@@ -14,6 +14,8 @@ export interface Theme {
   fixed: Color;
   /** The estimates of the file, under the current ones. */
   before: Color;
+  /** The true estimates, under the current ones. */
+  truth: Color;
   uncertainty: Color;
   odometry: Color;
   loop_closure: Color;
@@ -44,6 +46,7 @@ export function currentTheme(): Theme {
     landmark: color("--landmark"),
     fixed: color("--fixed"),
     before: color("--before"),
+    truth: color("--truth"),
     uncertainty: color("--uncertainty"),
     odometry: color("--odometry"),
     loop_closure: color("--loop-closure"),

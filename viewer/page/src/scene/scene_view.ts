@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
 import { Color, LinearSRGBColorSpace, Matrix4, Scene, Vector3, WebGLRenderer } from "three";
-import { type Frame, isSameKind, isSameStructure, type Structure } from "../protocol/messages";
+import { type Frame, isSameKind, isSameStructure, type Structure, type Truth } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
 import { CameraRig, type CameraState } from "./camera_rig";
@@ -29,6 +29,8 @@ export class SceneView {
   on_frame: () => void = () => {};
   /** Called after the page learned or forgot the estimates of the file. */
   on_initial: () => void = () => {};
+  /** Called after the page learned or forgot the truth. */
+  on_truth: () => void = () => {};
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
@@ -42,6 +44,8 @@ export class SceneView {
   private pending: Frame | null = null;
   /** The estimates of the file; null if the page does not know them. */
   private initial: Frame | null = null;
+  /** Those of the current structure; null if no truth is open. */
+  private true_estimates: Truth | null = null;
   private fitted: Extent | null = null;
   private spacing = 0;
   /** True until the user moves the camera: the view then follows the graph. */
@@ -75,8 +79,9 @@ export class SceneView {
     }
     this.graph = new GraphScene(structure);
     this.world.add(this.graph.root);
-    this.frame = this.pending = null;
+    this.frame = this.pending = this.true_estimates = null;
     this.spacing = 0;
+    this.on_truth();
     if (!this.keeps_camera) {
       this.fitted = null;
       this.follows = true;
@@ -96,6 +101,18 @@ export class SceneView {
     this.initial = frame;
     this.on_initial();
     if (this.options.shows_initial) this.applyTheme();
+  }
+
+  /** Takes the truth of the current structure, which the options may show under the estimates. */
+  setTruth(truth: Truth | null): void {
+    if (truth && truth.structure !== this.graph?.structure.structure) return;
+    this.true_estimates = truth;
+    this.on_truth();
+    this.applyTheme();
+  }
+
+  get truth(): Truth | null {
+    return this.true_estimates;
   }
 
   get knowsInitial(): boolean {
@@ -309,8 +326,11 @@ export class SceneView {
     const background = this.options.background === null ? theme.background : new Color(this.options.background);
     this.renderer.setClearColor(background);
     shared.background.value.copy(background);
-    // The ghost is placed relative to the first frame.
-    if (this.frame) this.graph?.setGhost(this.options.shows_initial ? this.initial : null);
+    // Other estimates are placed relative to the first frame.
+    if (this.frame) {
+      this.graph?.setInitial(this.options.shows_initial ? this.initial : null);
+      this.graph?.setTruth(this.options.shows_truth ? this.true_estimates : null);
+    }
     this.graph?.applyOptions(this.options, this.spacing, theme);
     this.requestPicture();
   }
