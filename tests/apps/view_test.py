@@ -331,6 +331,16 @@ class Files(ViewCase):
         self.assertEqual(viewer.save(stream.token, "unheard")[0], 400)
         self.assertEqual(viewer.save("", "g2o")[0], 403)
 
+    def test_say_what_is_wrong(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        status, text = viewer.request("GET", "/diagnosis", headers={"X-Boxplus-Token": stream.token})
+        diagnosis = json.loads(text)
+        self.assertEqual((status, diagnosis["structure"]), (200, stream.structure[0]["structure"]))
+        self.assertEqual(len(diagnosis["findings"]), diagnosis["count"])
+        self.assertFalse([f for f in diagnosis["findings"] if f["severity"] == "error"])
+        self.assertEqual(viewer.request("GET", "/diagnosis")[0], 403)
+
     def test_show_the_pattern_of_H(self):
         viewer = self.viewer()
         stream = viewer.stream()
