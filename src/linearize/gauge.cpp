@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <tuple>
 
@@ -241,7 +242,7 @@ class GaugeFinder {
     const VertexSlot first = gauge_vertex(component, freedom);
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
     SimilarityFreedom left = freedom;  // the freedom that remains
-    gauge_.components.back().free.push_back(free_motions_of(freedom));
+    note_motions(component, freedom);
     if (policy_ == GaugePolicy::kFixFirst) {
       const bool whole = holds_whole(component, first, freedom);
       if (whole) {
@@ -251,6 +252,16 @@ class GaugeFinder {
       hold_directions(component, first, whole, left);
     }
     if (left.directions() > 0) gauge_.freedoms.push_back(describe(first, left));
+  }
+
+  void note_motions(const Component& component, const SimilarityFreedom& freedom) {
+    GaugeComponent& noted = gauge_.components.back();
+    const auto& candidates = noted.free.empty() ? component.vertices : noted.still;
+    std::vector<VertexSlot> still;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(still),
+                 [&](VertexSlot v) { return (*freedom.roles)[v.pool][v.slot] == WorldRole::kNone; });
+    noted.free.push_back(free_motions_of(freedom));
+    noted.still = std::move(still);
   }
 
   int taken_by(VertexSlot v, const SimilarityFreedom& freedom) const {

@@ -23,35 +23,53 @@ bool only_scale(const std::vector<FreeMotions>& free) {
                      [](const FreeMotions& motions) { return motions.count == 1 && motions.scale; });
 }
 
-std::string sentence(Place place, const std::string& vertices, const std::string& motions, bool scale_only) {
+std::string sentence(Place place, const std::string& vertices, const char* are, const std::string& motions,
+                     bool scale_only) {
   if (scale_only) {
     return fmt::format(
         "{} {} free in scale, because no edge measures a length; optimize() keeps the present scale: to "
-        "choose "
-        "it, fix "
-        "a second pose or add a measured distance",
-        vertices, "are");
+        "choose it, fix a second pose or add a measured distance",
+        vertices, are);
   }
   switch (place) {
     case Place::kMain:
       return fmt::format(
-          "{} are free in {}, because nothing ties them to the world; optimize() holds one of them: to "
-          "choose the "
-          "place, fix a vertex or add a prior",
-          vertices, motions);
+          "{} {} free {}, because nothing ties them to the world; optimize() holds one of them: to choose "
+          "the place, fix a vertex or add a prior",
+          vertices, are, motions);
     case Place::kSeparate:
       return fmt::format(
-          "{} are free in {}, because no edge joins them to the rest of the graph: add an edge to the rest, "
-          "a "
+          "{} {} free {}, because no edge joins them to the rest of the graph: add an edge to the rest, a "
           "prior, or a fixed vertex",
-          vertices, motions);
+          vertices, are, motions);
     default:
       return fmt::format(
-          "{} are free in {}, although they have a prior or a fixed vertex: add an edge that measures this, "
-          "or "
+          "{} {} free {}, although a prior or a fixed vertex holds them: add an edge that measures this, or "
           "fix more",
-          vertices, motions);
+          vertices, are, motions);
   }
+}
+
+/// The vertices that the free motions of a component move, sorted by id.
+std::vector<VertexRef> moved_vertices(const Evidence& evidence, const GaugeComponent& component) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> still;
+  for (const VertexSlot& v : component.still) still.emplace_back(v.pool, v.slot);
+  std::sort(still.begin(), still.end());
+  std::vector<VertexRef> result;
+  for (const VertexSlot& v : component.vertices) {
+    if (!std::binary_search(still.begin(), still.end(), std::pair(v.pool, v.slot)))
+      result.push_back(evidence.vertex_ref(v.pool, v.slot));
+  }
+  sort_by_id(evidence.graph, result);
+  return result;
+}
+
+/// Whether the edges of each vertex alone leave it free. Then other findings say so.
+bool each_is_free(const Evidence& evidence, const std::vector<VertexRef>& vertices) {
+  return std::all_of(vertices.begin(), vertices.end(), [&](const VertexRef& vertex) {
+    return std::any_of(evidence.free_directions.begin(), evidence.free_directions.end(),
+                       [&](const FreeDirections& f) { return evidence.vertices[f.vertex].vertex == vertex; });
+  });
 }
 
 }  // namespace
@@ -70,17 +88,17 @@ void find_free_components(const Evidence& evidence, Findings& out) {
                                                                : Place::kSeparate;
     const bool scale_only = only_scale(component->free);
     Finding finding;
+    finding.vertices = moved_vertices(evidence, *component);
+    if (finding.vertices.empty() || each_is_free(evidence, finding.vertices)) continue;
     finding.severity =
         place == Place::kMain || scale_only ? Finding::Severity::kNote : Finding::Severity::kWarning;
-    for (const VertexSlot& v : component->vertices)
-      finding.vertices.push_back(evidence.vertex_ref(v.pool, v.slot));
-    sort_by_id(evidence.graph, finding.vertices);
     std::string motions;
     for (const FreeMotions& free : component->free) {
       motions += (motions.empty() ? "" : "; ") + motions_text(free);
       append_directions(free, finding.directions);
     }
-    finding.text = sentence(place, vertices_text(evidence.graph, finding.vertices), motions, scale_only);
+    finding.text = sentence(place, vertices_text(evidence.graph, finding.vertices),
+                            by_count(finding.vertices.size(), "is", "are"), motions, scale_only);
     out.push_back(std::move(finding));
   }
 }

@@ -74,8 +74,7 @@ void find_zero_jacobians(const Evidence& evidence, Findings& out) {
   finding.severity = Finding::Severity::kWarning;
   finding.text = fmt::format(
       "no edge of {} changes if {} moves: all Jacobians are zero, or their Ω is; start from other estimates, "
-      "or "
-      "check the error function",
+      "or check the error function",
       vertices_text(evidence.graph, finding.vertices),
       by_count(finding.vertices.size(), "it", "one of them"));
   out.push_back(std::move(finding));

@@ -51,7 +51,9 @@ Diagnosis diagnose(const Graph& graph, const Options& options) {
   }
   for (Finding& finding : findings) {
     std::sort(finding.edges.begin(), finding.edges.end());
-    for (const VertexRef& vertex : finding.vertices) finding.ids.push_back(graph.id(vertex));
+    finding.ids.reserve(finding.vertices.size());
+    for (const VertexRef& vertex : finding.vertices)
+      finding.ids.push_back(graph.vertex_pools()[vertex.pool]->id(vertex.slot));
   }
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.severity > b.severity; });

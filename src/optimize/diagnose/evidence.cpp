@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <bit>
 #include <cmath>
+#include <type_traits>
 
 #include "base/all_finite.h"
 #include "base/paced_stop.h"
@@ -31,6 +32,60 @@ bool all_zero(const double* values, std::size_t size) {
     if (values[i] != 0) return false;
   }
   return true;
+}
+
+/// Calls f with the number of rows, as a type if it is a common one, so that loops over rows are unrolled.
+template <class F>
+void with_rows(int rows, F&& f) {
+  switch (rows) {
+    case 1:
+      return f(std::integral_constant<int, 1>());
+    case 2:
+      return f(std::integral_constant<int, 2>());
+    case 3:
+      return f(std::integral_constant<int, 3>());
+    case 6:
+      return f(std::integral_constant<int, 6>());
+    default:
+      return f(rows);
+  }
+}
+
+/// y = Ω x for `columns` columns.
+void weigh(const detail::InformationView& omega, const double* x, int columns, double* y) {
+  if (omega.kind != detail::InformationKind::kFull || omega.rows > 6) return omega.apply(x, columns, y);
+  with_rows(omega.rows, [&](auto n) {
+    double full[36];
+    const double* value = omega.values;
+    for (int i = 0; i < n; ++i) {
+      for (int j = i; j < n; ++j) full[i * n + j] = full[j * n + i] = *value++;
+    }
+    for (int c = 0; c < columns; ++c, x += n, y += n) {
+      for (int i = 0; i < n; ++i) y[i] = full[i] * x[0];
+      for (int j = 1; j < n; ++j) {
+        for (int i = 0; i < n; ++i) y[i] += full[j * n + i] * x[j];
+      }
+    }
+  });
+}
+
+/// Adds JᵀΩJ to the lower triangle of a block of H, and weight · JᵀΩe to the gradient. J has `rows` rows and
+/// `dim` columns.
+void add_block(int rows, int dim, const double* J, const double* omega_J, const double* omega_e,
+               double weight, double* block, double* gradient) {
+  with_rows(rows, [&](auto n) {
+    for (int a = 0; a < dim; ++a) {
+      const double* left = J + a * n;
+      double slope = 0;
+      for (int r = 0; r < n; ++r) slope += left[r] * omega_e[r];
+      gradient[a] += weight * slope;
+      for (int b = 0; b <= a; ++b) {
+        double sum = 0;
+        for (int r = 0; r < n; ++r) sum += left[r] * omega_J[b * n + r];
+        block[b * dim + a] += sum;
+      }
+    }
+  });
 }
 
 PlanRequest request_of(const Options& options, const StopToken& stop) {
@@ -133,13 +188,15 @@ Evidence::Evidence(const Graph& g, const Options& o, const StopToken& token)
     if (!active.edges[p].empty()) linearize_pool(p);
   }
   examine_vertices();
+  cameras = find_camera_views(*this);
 }
 
 bool Evidence::at_minimum() const {
   // A minimum that was written with six digits stays below this bound.
   constexpr double kNoticeable = 1e-2;
-  return non_finite_errors.empty() && non_finite_jacobians.empty() && rows > 0 &&
-         single_decrease <= kNoticeable * chi2;
+  constexpr double kNothing = 1e-12;  // per row; chi2 may be zero but for rounding
+  return non_finite_errors.empty() && non_finite_jacobians.empty() && !vertices.empty() &&
+         single_decrease <= std::max(kNoticeable * chi2, kNothing * static_cast<double>(rows));
 }
 
 void Evidence::list_vertices() {
@@ -220,19 +277,19 @@ void Evidence::add_edge(PoolEvidence& evidence, std::uint32_t slot, const double
     non_finite_jacobians.push_back(edge_ref(evidence.pool, slot));
   } else {
     weighted_.resize(std::max(weighted_.size(), size + n));
-    omega.apply(jacobian, shape.cols, weighted_.data());
-    omega.apply(error, 1, weighted_.data() + size);
+    weigh(omega, jacobian, shape.cols, weighted_.data());
+    weigh(omega, error, 1, weighted_.data() + size);
     chi2 += value;
-    return add_to_vertices(pool, evidence.pool, slot, jacobian, shape, weight);
+    return add_to_vertices(evidence, slot, jacobian, shape, weight);
   }
-  add_to_vertices(pool, evidence.pool, slot, nullptr, shape, 0);
+  add_to_vertices(evidence, slot, nullptr, shape, 0);
 }
 
 /// Adds an edge to its vertices. `jacobian` is null if the edge is not finite.
-void Evidence::add_to_vertices(const detail::EdgePool& pool, std::uint32_t pool_index, std::uint32_t slot,
-                               const double* jacobian, const detail::EdgeShape& shape, double weight) {
+void Evidence::add_to_vertices(const PoolEvidence& evidence, std::uint32_t slot, const double* jacobian,
+                               const detail::EdgeShape& shape, double weight) {
+  const detail::EdgePool& pool = *graph.edge_pools()[evidence.pool];
   const auto slots = pool.vertex_slots(slot);
-  const int rows_of_edge = shape.rows;
   const double* weighted_error = weighted_.data() + shape.rows * shape.cols;
   std::ptrdiff_t column = 0;
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -245,23 +302,12 @@ void Evidence::add_to_vertices(const detail::EdgePool& pool, std::uint32_t pool_
     VertexEvidence& vertex = vertices[index];
     ++vertex.edges;
     vertex.last = slot;
-    vertex.last_pool = pool_index;
+    vertex.last_pool = evidence.pool;
     vertex.is_finite = vertex.is_finite && jacobian != nullptr;
     if (jacobian != nullptr) {
-      const double* own = jacobian + column * rows_of_edge;
-      const double* other = weighted_.data() + column * rows_of_edge;
-      double* block = hessian_.data() + vertex.first_value;
-      for (int a = 0; a < vertex.dim; ++a) {
-        const double* left = own + a * rows_of_edge;
-        double slope = 0;
-        for (int r = 0; r < rows_of_edge; ++r) slope += left[r] * weighted_error[r];
-        gradient_[vertex.first_scalar + static_cast<std::size_t>(a)] += weight * slope;
-        for (int b = 0; b <= a; ++b) {
-          double sum = 0;
-          for (int r = 0; r < rows_of_edge; ++r) sum += left[r] * other[b * rows_of_edge + r];
-          block[b * vertex.dim + a] += sum;
-        }
-      }
+      const std::ptrdiff_t first = column * shape.rows;
+      add_block(shape.rows, vertex.dim, jacobian + first, weighted_.data() + first, weighted_error, weight,
+                hessian_.data() + vertex.first_value, gradient_.data() + vertex.first_scalar);
     }
     column += vertex.dim;
   }

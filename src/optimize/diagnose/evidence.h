@@ -8,6 +8,7 @@
 
 #include "boxplus/optimize/options.h"
 #include "linearize/active_set.h"
+#include "optimize/diagnose/camera_views.h"
 
 namespace boxplus {
 
@@ -56,6 +57,7 @@ class Evidence {
   std::uint64_t rows = 0;
   bool has_kernels = false;
   std::vector<FreeDirections> free_directions;
+  std::vector<CameraViews> cameras;
   /// The decrease of chi2 if each vertex takes a Gauss-Newton step of its own, summed over the vertices.
   double single_decrease = 0;
 
@@ -82,8 +84,8 @@ class Evidence {
   void linearize_pool(std::uint32_t pool);
   void add_edge(PoolEvidence& evidence, std::uint32_t slot, const double* error, const double* jacobian,
                 const detail::EdgeShape& shape);
-  void add_to_vertices(const detail::EdgePool& pool, std::uint32_t pool_index, std::uint32_t slot,
-                       const double* jacobian, const detail::EdgeShape& shape, double weight);
+  void add_to_vertices(const PoolEvidence& evidence, std::uint32_t slot, const double* jacobian,
+                       const detail::EdgeShape& shape, double weight);
   void examine_vertices();
 
   std::vector<std::vector<std::uint32_t>> index_of_;  // into `vertices`, by vertex pool and slot

@@ -16,8 +16,8 @@ bool is_finite(const detail::Frame& frame) {
 
 }  // namespace
 
-/// Poses and points only: the estimates of other types are hidden in their pools, but their edges are not
-/// finite, either.
+/// A vertex with finite edges has a finite estimate. Poses and points only: the estimates of other types are
+/// hidden in their pools, but their edges are not finite, either.
 void find_non_finite_estimates(const Evidence& evidence, Findings& out) {
   const Graph& graph = evidence.graph;
   std::vector<VertexRef> vertices;
@@ -25,7 +25,8 @@ void find_non_finite_estimates(const Evidence& evidence, Findings& out) {
     const detail::VertexPool& pool = *graph.vertex_pools()[p];
     for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
       detail::Frame frame;
-      if (!pool.alive(slot)) continue;
+      const VertexEvidence* known = evidence.find(p, slot);
+      if (!pool.alive(slot) || (known != nullptr && known->edges > 0 && known->is_finite)) continue;
       if (!pool.get_frame(slot, frame)) break;  // all vertices of a pool have one type
       if (!is_finite(frame)) vertices.push_back(evidence.vertex_ref(p, slot));
     }
@@ -49,8 +50,7 @@ void find_non_finite_errors(const Evidence& evidence, Findings& out) {
   finding.edges = evidence.non_finite_errors;
   finding.text = fmt::format(
       "the error of {} is NaN, infinite or too large to be squared: check the measurement and the estimates "
-      "of "
-      "the vertices",
+      "of the vertices",
       edges_text(evidence.graph, finding.edges));
   out.push_back(std::move(finding));
 }
@@ -62,9 +62,7 @@ void find_non_finite_jacobians(const Evidence& evidence, Findings& out) {
   finding.edges = evidence.non_finite_jacobians;
   finding.text = fmt::format(
       "a Jacobian (or the weight of the robust kernel) of {} is NaN or infinite although the error is "
-      "finite: "
-      "check "
-      "jacobians(), or start from estimates at which the error has a derivative",
+      "finite: check jacobians(), or start from estimates at which the error has a derivative",
       edges_text(evidence.graph, finding.edges));
   out.push_back(std::move(finding));
 }

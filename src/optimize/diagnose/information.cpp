@@ -143,10 +143,14 @@ void find_mixed_units(const Evidence& evidence, Findings& out) {
     finding.severity = Finding::Severity::kWarning;
     const std::string size = oddest.ratio > 1 ? fmt::format("{:.2g} times as large as", oddest.ratio)
                                               : fmt::format("{:.2g} times smaller than", 1 / oddest.ratio);
-    finding.text = fmt::format(
-        "Ω of {} is {} usual for {} (row {} of {}): check the units (mm or m, degrees or radians)",
-        edges_text(evidence.graph, finding.edges), size, evidence.graph.edge_pools()[edges.pool]->type_name(),
-        oddest.row + 1, edges_text(evidence.graph, std::span(&oddest.edge, 1)));
+    const std::string where = finding.edges.size() == 1
+                                  ? fmt::format("row {}", oddest.row + 1)
+                                  : fmt::format("row {} of {}", oddest.row + 1,
+                                                edges_text(evidence.graph, std::span(&oddest.edge, 1)));
+    finding.text =
+        fmt::format("Ω of {} is {} usual for {} ({}): check the units (mm or m, degrees or radians)",
+                    edges_text(evidence.graph, finding.edges), size,
+                    evidence.graph.edge_pools()[edges.pool]->type_name(), where);
     out.push_back(std::move(finding));
   }
 }

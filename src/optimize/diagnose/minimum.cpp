@@ -92,8 +92,7 @@ void find_outliers(const Evidence& evidence, Findings& out) {
         sum > kNoticeable * evidence.chi2 ? Finding::Severity::kWarning : Finding::Severity::kNote;
     finding.text = fmt::format(
         "{} of {} edges {} {} a chi2 above {:.3g}, which noise does not explain; the worst, {:.4g}, is that "
-        "of {}: "
-        "check the measurements, or use a robust kernel",
+        "of {}: check the measurements, or use a robust kernel",
         outliers.size(), edges.edges.size(), evidence.graph.edge_pools()[edges.pool]->type_name(),
         by_count(outliers.size(), "has", "have"), limit, worst.chi2,
         edges_text(evidence.graph, std::span(&worst.edge, 1)));
@@ -102,14 +101,13 @@ void find_outliers(const Evidence& evidence, Findings& out) {
 }
 
 void find_not_at_minimum(const Evidence& evidence, Findings& out) {
-  if (evidence.at_minimum() || evidence.rows == 0 || !evidence.non_finite_errors.empty() ||
+  if (evidence.at_minimum() || evidence.vertices.empty() || !evidence.non_finite_errors.empty() ||
       !evidence.non_finite_jacobians.empty())
     return;
   Finding finding;
   finding.text = fmt::format(
       "chi2 is not at a minimum: steps of single vertices alone can lower it by {:.3g} %; outliers and the "
-      "size of "
-      "chi2 can be judged only after a run",
+      "size of chi2 can be judged only after a run",
       std::round(1000 * std::min(1.0, evidence.single_decrease / evidence.chi2)) / 10);
   out.push_back(std::move(finding));
 }
@@ -124,14 +122,12 @@ void find_chi2_ratio(const Evidence& evidence, Findings& out) {
   if (ratio > kMost) {
     finding.text = fmt::format(
         "chi2 is {:.3g} times its degrees of freedom ({}); at a minimum, this ratio is about 1 if Ω is "
-        "right: Ω is "
-        "too large, there are outliers, or this is a local minimum",
+        "right: Ω is too large, there are outliers, or this is a local minimum",
         ratio, degrees);
   } else if (ratio < kLeast && !evidence.has_kernels) {
     finding.text = fmt::format(
         "chi2 is only {:.3g} times its degrees of freedom ({}); at a minimum, this ratio is about 1 if Ω is "
-        "right: "
-        "Ω is too small for errors as small as these, so covariances are too large",
+        "right: Ω is too small for errors as small as these, so covariances are too large",
         ratio, degrees);
   } else {
     return;

@@ -21,11 +21,15 @@ Noun noun_of(const Graph& graph, VertexRef vertex) {
   return frame.has_rotation ? Noun::kPose : Noun::kPoint;
 }
 
+/// All vertices of a pool have one type.
 const char* noun_text(const Graph& graph, std::span<const VertexRef> vertices) {
   constexpr const char* kSingular[] = {"pose", "point", "parameter", "vertex"};
   constexpr const char* kPlural[] = {"poses", "points", "parameters", "vertices"};
   Noun noun = noun_of(graph, vertices.front());
+  std::uint32_t last = vertices.front().pool;
   for (const VertexRef& vertex : vertices) {
+    if (vertex.pool == last) continue;
+    last = vertex.pool;
     if (noun_of(graph, vertex) != noun) noun = Noun::kVertex;
   }
   return by_count(vertices.size(), kSingular[static_cast<int>(noun)], kPlural[static_cast<int>(noun)]);
@@ -88,7 +92,8 @@ constexpr const char* kRotations[] = {"roll", "pitch", "yaw"};
 
 std::string vertices_text(const Graph& graph, std::span<const VertexRef> vertices) {
   std::vector<Id> ids;
-  for (const VertexRef& vertex : vertices) ids.push_back(graph.id(vertex));
+  ids.reserve(vertices.size());
+  for (const VertexRef& vertex : vertices) ids.push_back(graph.vertex_pools()[vertex.pool]->id(vertex.slot));
   return fmt::format("{} {}", noun_text(graph, vertices), ids_text(ids));
 }
 
@@ -98,16 +103,22 @@ std::string edges_text(const Graph& graph, std::span<const EdgeRef> edges) {
 }
 
 std::string motions_text(const FreeMotions& motions) {
-  if (motions.dimension == 0) return fmt::format("all {} directions", motions.count);
-  std::vector<std::string> words;
-  const auto add = [&](const FreeMotions::Axis& axis, const char* const* names, const char* otherwise) {
+  if (motions.dimension == 0) return fmt::format("in all {} directions", motions.count);
+  std::vector<std::string> named, others;
+  const auto add = [&](const FreeMotions::Axis& axis, const char* const* names, const char* preposition) {
     const int known = axis_of(axis);
-    words.push_back(known >= 0 ? names[known] : otherwise + vector_text(axis));
+    if (known >= 0) {
+      named.emplace_back(names[known]);
+    } else {
+      others.push_back(preposition + vector_text(axis));
+    }
   };
   for (const FreeMotions::Axis& axis : motions.along) add(axis, kPositions, "along ");
   for (const FreeMotions::Axis& axis : motions.about) add(axis, kRotations, "about ");
-  if (motions.scale) words.emplace_back("scale");
-  return list_text(words);
+  if (motions.scale) named.emplace_back("scale");
+  std::string text = named.empty() ? "" : "in " + list_text(named);
+  if (!others.empty()) text += (text.empty() ? "" : " and ") + list_text(others);
+  return text;
 }
 
 std::string direction_text(const Graph& graph, VertexRef vertex, std::span<const double> tangent) {
@@ -124,11 +135,16 @@ std::string direction_text(const Graph& graph, VertexRef vertex, std::span<const
 }
 
 void sort_by_id(const Graph& graph, std::vector<VertexRef>& vertices) {
-  const auto rank = [&](const VertexRef& vertex) {
-    return std::tuple(graph.vertex_pools()[vertex.pool]->parameter(vertex.slot), graph.id(vertex));
-  };
-  std::sort(vertices.begin(), vertices.end(),
-            [&](const VertexRef& a, const VertexRef& b) { return rank(a) < rank(b); });
+  std::vector<std::tuple<bool, Id, VertexRef>> ranked;  // parameters have ids of their own, and come last
+  ranked.reserve(vertices.size());
+  for (const VertexRef& vertex : vertices) {
+    const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+    ranked.emplace_back(pool.parameter(vertex.slot), pool.id(vertex.slot), vertex);
+  }
+  if (std::is_sorted(ranked.begin(), ranked.end())) return;
+  std::sort(ranked.begin(), ranked.end());
+  std::transform(ranked.begin(), ranked.end(), vertices.begin(),
+                 [](const auto& r) { return std::get<2>(r); });
 }
 
 void append_directions(const FreeMotions& motions, std::vector<Finding::Direction>& out) {

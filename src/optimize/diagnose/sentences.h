@@ -15,7 +15,7 @@ namespace boxplus {
 std::string vertices_text(const Graph& graph, std::span<const VertexRef> vertices);
 /// "the edge Between<SE2> of vertices 3, 4", "12 edges, such as Between<SE2> of vertices 3, 4".
 std::string edges_text(const Graph& graph, std::span<const EdgeRef> edges);
-/// "x, y and yaw", "x, along (0.6, 0.8, 0) and scale".
+/// "in x, y and yaw", "in scale and along (0.6, 0.8, 0)".
 std::string motions_text(const FreeMotions& motions);
 /// The name of a direction in the tangent space of a vertex: "x", "yaw", "roll", "direction 7" (counted from
 /// 0), or "(0.6, 0.8, 0)" if it is no axis.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "linearize/fixed_directions.h"
 #include "optimize/diagnose/evidence.h"
@@ -41,19 +42,40 @@ bool has_equal_errors(const detail::EdgePool& pool, std::uint32_t a, std::uint32
   return error_a == error_b;
 }
 
+/// A hash table of edges by their signature, with linear probing.
+class EdgeTable {
+ public:
+  explicit EdgeTable(const PoolEvidence& edges) : edges_(edges) {
+    places_.assign(std::bit_ceil(2 * edges.edges.size() + 1), kFree);
+  }
+  /// Adds the k-th edge. If there is an edge with this signature, returns its position instead.
+  std::size_t add(std::size_t k) {
+    const std::size_t mask = places_.size() - 1;
+    for (std::size_t at = edges_.signatures[k] & mask;; at = (at + 1) & mask) {
+      if (places_[at] == kFree) {
+        places_[at] = static_cast<std::uint32_t>(k);
+        return k;
+      }
+      if (edges_.signatures[places_[at]] == edges_.signatures[k]) return places_[at];
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kFree = 0xFFFFFFFFu;
+  const PoolEvidence& edges_;
+  std::vector<std::uint32_t> places_;
+};
+
 /// The edges of a pool that repeat an edge before them. Two measurements with the same vertices are equal if
 /// their errors are equal, unless the errors do not depend on the vertices at all.
-void append_duplicates(const Evidence& evidence, const PoolEvidence& pool, std::vector<EdgeRef>& out) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // signature, edge
-  order.reserve(pool.edges.size());
-  for (std::size_t k = 0; k < pool.edges.size(); ++k) {
-    if (pool.signatures[k] != 0) order.emplace_back(pool.signatures[k], pool.edges[k]);
-  }
-  std::sort(order.begin(), order.end());
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    if (order[k].first != order[k - 1].first) continue;
-    if (has_equal_errors(*evidence.graph.edge_pools()[pool.pool], order[k - 1].second, order[k].second))
-      out.push_back(evidence.edge_ref(pool.pool, order[k].second));
+void append_duplicates(const Evidence& evidence, const PoolEvidence& edges, std::vector<EdgeRef>& out) {
+  EdgeTable table(edges);
+  for (std::size_t k = 0; k < edges.edges.size(); ++k) {
+    if (edges.signatures[k] == 0) continue;
+    const std::size_t first = table.add(k);
+    if (first != k &&
+        has_equal_errors(*evidence.graph.edge_pools()[edges.pool], edges.edges[first], edges.edges[k]))
+      out.push_back(evidence.edge_ref(edges.pool, edges.edges[k]));
   }
 }
 
@@ -98,11 +120,10 @@ void find_isolated_vertices(const Evidence& evidence, Findings& out) {
   sort_by_id(evidence.graph, isolated);
   Finding finding;
   finding.severity = Finding::Severity::kWarning;
-  finding.text = fmt::format(
-      "{} {} no edge that takes part, so optimize() leaves {} alone: add an edge, or "
-      "remove {}",
-      vertices_text(evidence.graph, isolated), by_count(isolated.size(), "has", "have"),
-      by_count(isolated.size(), "it", "them"), by_count(isolated.size(), "it", "them"));
+  finding.text =
+      fmt::format("{} {} no edge that takes part, so optimize() leaves {} alone: add an edge, or remove {}",
+                  vertices_text(evidence.graph, isolated), by_count(isolated.size(), "has", "have"),
+                  by_count(isolated.size(), "it", "them"), by_count(isolated.size(), "it", "them"));
   finding.vertices = std::move(isolated);
   out.push_back(std::move(finding));
 }

@@ -82,8 +82,7 @@ Finding describe(const Evidence& evidence, std::vector<EdgeRef> edges, EdgeRef w
       {.kind = Finding::Direction::Kind::kTangent, .vertex = vertex, .tangent = std::move(tangent)}};
   finding.text = fmt::format(
       "jacobians() of {} is wrong: ∂e/∂x_{}, row {}, column {} is {:.6g} instead of {:.6g} (at {}); check it "
-      "with "
-      "check_jacobians(), or remove it",
+      "with check_jacobians(), or remove it",
       evidence.graph.edge_pools()[worst.pool]->type_name(), position_of(evidence, worst, vertex) + 1,
       entry.row + 1, direction + 1, entry.analytic, entry.numeric,
       edges_text(evidence.graph, std::span(&worst, 1)));

@@ -63,7 +63,7 @@ TEST(DiagnoseComponents, SaysWhichRotationAPositionPriorLeavesFree) {
   graph.add_edge(PositionPrior(Vector2(10, -3)), 1e4, poses[7]);
   const Finding finding = only(diagnose(graph), Kind::kFreeComponent);
   EXPECT_EQ(finding.severity, Severity::kWarning);
-  EXPECT_THAT(finding.text, HasSubstr("are free in yaw, although they have a prior"));
+  EXPECT_THAT(finding.text, HasSubstr("are free in yaw, although a prior"));
   EXPECT_THAT(kinds_of(finding), ElementsAre(DirectionKind::kAbout));
   EXPECT_THAT(finding.directions.front().axis, ElementsAre(0, 0, 1));
 }
@@ -78,7 +78,7 @@ TEST(DiagnoseComponents, NamesTheAxisThatTwoPositionPriorsLeaveFree) {
   const Vector3 axis =
       (graph.estimate(poses[1]).translation() - graph.estimate(poses[0]).translation()).normalized();
   EXPECT_NEAR(std::abs(axis.dot(Vector3(finding.directions.front().axis.data()))), 1, 1e-6);
-  EXPECT_THAT(finding.text, HasSubstr("free in about ("));
+  EXPECT_THAT(finding.text, HasSubstr("free about ("));
 }
 
 TEST(DiagnoseComponents, NamesTheTranslationThatNoEdgeMeasures) {
@@ -108,6 +108,15 @@ TEST(DiagnoseComponents, NotesThatTheScaleIsFree) {
   EXPECT_EQ(finding.severity, Severity::kNote);
   EXPECT_THAT(finding.text, HasSubstr("free in scale"));
   EXPECT_THAT(kinds_of(finding), ElementsAre(DirectionKind::kScale));
+}
+
+TEST(DiagnoseComponents, LeavesAFreedomToTheFindingsOfSingleVertices) {
+  HealthyCircle circle;
+  const auto landmark = circle.graph.add_vertex(Vector2(3, 4));
+  circle.graph.add_edge(BearingObservation2(0.3), circle.poses[0], landmark);
+  const Diagnosis diagnosis = diagnose(circle.graph);
+  EXPECT_THAT(diagnosis, HasFinding(Kind::kSeenOnce));
+  EXPECT_THAT(diagnosis, Not(HasFinding(Kind::kFreeComponent)));
 }
 
 TEST(DiagnoseComponents, FindsNothingIfEachPartIsFixed) {
