@@ -53,7 +53,7 @@ class Truth {
   /// Call it when the structure is new. The graph may have lost vertices. O(n) in the vertices.
   TruthPlaces place(const Graph& graph, const Structure& structure);
   /// Compares the current estimates with the truth. Returns nothing if no matched pose is left, or if one is
-  /// not finite or very far away. O(n log n) in the poses.
+  /// not finite or very far away. O(n) in the poses.
   std::optional<TruthFit> fit(const Graph& graph, const Structure& structure);
 
  private:

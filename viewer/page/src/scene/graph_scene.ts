@@ -95,7 +95,7 @@ export class GraphScene {
     }
     if (changed) this.updateVisible();
     this.ellipses.update(frame, this.vertices);
-    this.truth_fit = frame.truth ?? null;
+    this.truth_fit = frame.truth;
     this.placeTruth();
   }
 
