@@ -76,7 +76,28 @@ Message GraphSubject::uncertain_frame(const FrameFacts& facts, Listener& listene
 Message GraphSubject::frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const {
   const Positions positions = read_positions(*graph_, structure_);
   const Errors errors = at_rest ? read_errors(*graph_, structure_) : Errors();
-  return frame_message(facts, structure_, positions, errors, uncertainty);
+  return frame_message(facts, structure_, positions, errors, uncertainty,
+                       truth_ ? truth_->fit(*graph_, structure_) : std::nullopt);
+}
+
+void GraphSubject::open_truth(const std::string& name, const std::string& text, Listener& listener) {
+  set_truth(parse_truth(name, text), listener);
+}
+
+void GraphSubject::set_truth(Truth truth, Listener& listener) {
+  truth.match(*graph_, file_, name_);
+  const TruthFacts& facts = truth.facts();
+  listener.log("info",
+               fmt::format("{} is the truth: {} of {} poses match {} of {} true poses by {}", facts.name,
+                           facts.matched, facts.poses, facts.matched, facts.true_poses, facts.matched_by));
+  truth_ = std::move(truth);
+  std::ignore = truth_->place(*graph_, structure_);
+}
+
+Message GraphSubject::truth(std::uint64_t structure) {
+  if (!truth_) return nullptr;
+  const TruthPlaces places = truth_->place(*graph_, structure_);
+  return truth_message(structure, truth_->facts(), places);
 }
 
 std::string GraphSubject::describe(const ElementName& name, std::uint64_t structure) const {

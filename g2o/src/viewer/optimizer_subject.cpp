@@ -178,6 +178,11 @@ Message OptimizerSubject::uncertain_frame(const boxplus::viewer::FrameFacts& fac
   return frame_message(facts, structure_, drawing_->positions(structure_.center), {}, none);
 }
 
+void OptimizerSubject::open_truth(const std::string& /*name*/, const std::string& /*text*/,
+                                  Listener& /*listener*/) {
+  throw InvalidArgument("the estimates of this graph cannot be compared with a truth here");
+}
+
 Message OptimizerSubject::pattern(const std::atomic<bool>& /*stop*/) const {
   throw InvalidArgument("the pattern of this graph is not known here");
 }

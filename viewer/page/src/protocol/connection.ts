@@ -62,8 +62,8 @@ export class Connection {
   }
 
   /** Sends the file; the server reads it after the answer. Throws like send(). */
-  async openFile(file: File): Promise<void> {
-    await answerTo(`/open?name=${encodeURIComponent(file.name)}`, {
+  async openFile(file: File, as: "graph" | "truth"): Promise<void> {
+    await answerTo(`/open?as=${as}&name=${encodeURIComponent(file.name)}`, {
       method: "POST",
       headers: { "Content-Type": "application/octet-stream", "X-Boxplus-Token": this.token },
       body: file,

@@ -6,16 +6,16 @@
 #include <cstddef>
 #include <vector>
 
-#include "compare/alignment.h"
+#include "trajectory/alignment.h"
 
-namespace boxplus::app {
+namespace boxplus {
 
 /// Statistics of a list of lengths or angles. If the list is empty, all of them are 0.
 struct ErrorStatistics {
   std::size_t count = 0;
   double rmse = 0, mean = 0, median = 0, max = 0;
 };
-ErrorStatistics statistics(std::vector<double> errors);
+ErrorStatistics error_statistics(std::vector<double> errors);
 
 /// Returns the statistics of the distances, in meters, between the aligned positions and the true positions.
 ErrorStatistics absolute_error(const std::vector<PosePair>& pairs, const Alignment& alignment);
@@ -38,4 +38,4 @@ struct RelativeError {
 /// translation have no effect. Takes O(n) time.
 RelativeError relative_error(const std::vector<PosePair>& pairs, double scale, const RelativeSpan& span);
 
-}  // namespace boxplus::app
+}  // namespace boxplus

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/trajectory_errors.h"
+#include "trajectory/trajectory_errors.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace boxplus::app {
+namespace boxplus {
 namespace {
 
 /// Returns one length per pair: the length of the true path from the first pair to this pair, in meters.
@@ -48,7 +48,7 @@ double angle_of(const Matrix<double, 3, 3>& rotation) {
 
 }  // namespace
 
-ErrorStatistics statistics(std::vector<double> errors) {
+ErrorStatistics error_statistics(std::vector<double> errors) {
   ErrorStatistics result;
   result.count = errors.size();
   if (errors.empty()) return result;
@@ -70,7 +70,7 @@ ErrorStatistics absolute_error(const std::vector<PosePair>& pairs, const Alignme
   std::vector<double> distances;
   for (const PosePair& pair : pairs)
     distances.push_back((alignment(pair.result).position - pair.truth.position).norm());
-  return statistics(std::move(distances));
+  return error_statistics(std::move(distances));
 }
 
 RelativeError relative_error(const std::vector<PosePair>& pairs, double scale, const RelativeSpan& span) {
@@ -81,7 +81,7 @@ RelativeError relative_error(const std::vector<PosePair>& pairs, double scale, c
     translations.push_back(error.position.norm());
     rotations.push_back(angle_of(error.rotation));
   });
-  return {statistics(std::move(translations)), statistics(std::move(rotations))};
+  return {error_statistics(std::move(translations)), error_statistics(std::move(rotations))};
 }
 
-}  // namespace boxplus::app
+}  // namespace boxplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/matching.h"
+#include "trajectory/matching.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <unordered_map>
 
 #include "boxplus/base/error.h"
-#include "command_line/message.h"
+#include "io/printable.h"
 
-namespace boxplus::app {
+namespace boxplus {
 namespace {
 
 using Poses = std::vector<TrajectoryPose>;
@@ -118,15 +118,18 @@ Poses numbered_like(const Poses& cameras, const Poses& images, const char*& matc
   return result;
 }
 
-/// The poses of BAL's cameras, which look along −z, with the axes of COLMAP's cameras: z forward and y down.
 Poses with_colmap_axes(Poses cameras) {
-  for (TrajectoryPose& camera : cameras) camera.rotation.rightCols<2>() *= -1;
+  for (TrajectoryPose& camera : cameras) turn_to_colmap_axes(camera);
   return cameras;
 }
 
 }  // namespace
 
-PosePairs matched(const Trajectory& result, const Trajectory& truth, double most_seconds) {
+void turn_to_colmap_axes(TrajectoryPose& camera) {
+  camera.rotation.rightCols<2>() *= -1;
+}
+
+PosePairs matched_poses(const Trajectory& result, const Trajectory& truth, double most_seconds) {
   if (result.is_timed() != truth.is_timed())
     throw InvalidArgument(
         "expected two graphs or two TUM files, got one of each; poses with ids cannot be matched with poses "
@@ -145,6 +148,7 @@ PosePairs matched(const Trajectory& result, const Trajectory& truth, double most
   } else if (are(Source::kBal, Source::kColmap)) {
     const Poses images = numbered_like(result.poses, truth.poses, pairs.matched_by);
     pairs.pairs = matched_by_id(with_colmap_axes(result.poses), images);
+    pairs.turns_result = true;
   } else if (are(Source::kColmap, Source::kBal)) {
     const Poses images = numbered_like(truth.poses, result.poses, pairs.matched_by);
     pairs.pairs = matched_by_id(images, with_colmap_axes(truth.poses));
@@ -154,4 +158,4 @@ PosePairs matched(const Trajectory& result, const Trajectory& truth, double most
   return pairs;
 }
 
-}  // namespace boxplus::app
+}  // namespace boxplus

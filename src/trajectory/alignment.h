@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "compare/matching.h"
+#include "trajectory/matching.h"
 
-namespace boxplus::app {
+namespace boxplus {
 
 enum class AlignmentKind : std::uint8_t { kRigid, kFirst, kNone };
 
@@ -19,6 +19,8 @@ struct Alignment {
   double scale = 1;
 
   TrajectoryPose operator()(TrajectoryPose pose) const;
+  /// The map from the world frame of the truth to that of the result.
+  Alignment inverse() const;
 };
 
 /// kRigid: the motion that minimizes the sum of squared distances (Umeyama, Least-squares estimation of
@@ -26,6 +28,6 @@ struct Alignment {
 /// kFirst: the motion that maps the first pose of the result to its true pose. kNone: no motion. `pairs` must
 /// not be empty. Throws InvalidArgument if `with_scale` is true and no scale above 0 fits, for example
 /// because all poses of the result are at one position.
-Alignment align(const std::vector<PosePair>& pairs, int dimension, AlignmentKind kind, bool with_scale);
+Alignment align_poses(const std::vector<PosePair>& pairs, int dimension, AlignmentKind kind, bool with_scale);
 
-}  // namespace boxplus::app
+}  // namespace boxplus

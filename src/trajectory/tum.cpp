@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads trajectories in the format of the TUM RGB-D benchmark: each line is a pose, "time x y z qx qy qz qw"
-// (Sturm et al., A benchmark for the evaluation of RGB-D SLAM systems, IROS 2012).
+#include "trajectory/tum.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/field_reader.h"
+#include "boxplus/io/file_format.h"
 #include "boxplus/manifold/quaternion.h"
-#include "compare/trajectory.h"
 
-namespace boxplus::app {
+namespace boxplus {
 namespace {
 
 /// The limits for the norm of a quaternion. A norm outside of these limits means that the file is wrong,
@@ -62,6 +61,23 @@ void sort_by_time(std::vector<TrajectoryPose>& poses, const std::string& name) {
 
 }  // namespace
 
+bool is_tum(std::string_view text) {
+  if (default_formats().recognize(text) != &default_formats().all().front()) return false;
+  while (!text.empty()) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return false;
+    if (text[begin] != '#')
+      return std::string_view("+-.0123456789").find(text[begin]) != std::string_view::npos;
+    text.remove_prefix(std::min(text.find('\n', begin), text.size()));
+  }
+  return false;
+}
+
+void refuse_tum(std::string_view text, const std::string& name) {
+  if (is_tum(text))
+    throw FileError(name + ": expected a graph (poses with ids), got a TUM file (poses with timestamps)");
+}
+
 Trajectory parse_tum(std::string_view text, const std::string& name) {
   Trajectory trajectory{.source = TrajectorySource::kTum};
   std::int64_t line_number = 0;
@@ -72,7 +88,8 @@ Trajectory parse_tum(std::string_view text, const std::string& name) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   sort_by_time(trajectory.poses, name);
+  require_bounded(trajectory, name);
   return trajectory;
 }
 
-}  // namespace boxplus::app
+}  // namespace boxplus

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The poses of a trajectory, which `boxplus compare` reads from a graph or a TUM file.
+// The poses of a trajectory, from a graph or a TUM file.
 #pragma once
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "boxplus/base/matrix.h"
+#include "boxplus/graph/frame.h"
 #include "boxplus/graph/handle.h"
 #include "boxplus/io/graph_file.h"
 
-namespace boxplus::app {
+namespace boxplus {
 
 /// A pose T_world_body. In the plane, z is 0 and the rotation is about z.
 struct TrajectoryPose {
@@ -37,17 +37,20 @@ struct Trajectory {
   bool is_timed() const { return source == TrajectorySource::kTum; }
 };
 
-/// Reads the poses of a graph (without its landmarks) or of a TUM file, whose lines have the form "time x y z
-/// qx qy qz qw". A file is a TUM file if its first line that is neither blank nor a comment begins with a
-/// number. Throws FileError if the file cannot be read or has no valid trajectory. Throws InputError, with
-/// the position of the error, if a line is malformed.
-Trajectory read_trajectory(const std::string& path, const ReadOptions& reading);
-
-/// Returns the poses of a graph. Messages call the graph `name`. Throws FileError if the graph has no poses,
-/// if it has poses both in the plane and in space, or if a pose is more than 1e100 m away from the origin.
+/// Returns the poses of a graph, without its landmarks. Messages call the graph `name`. Throws FileError if
+/// the graph has no poses, if it has poses both in the plane and in space, or if a pose is more than 1e100 m
+/// away from the origin. Takes O(n log n) time.
 Trajectory trajectory_of(const Graph& graph, const std::string& name);
+/// Does the same for the graph of a file, and adds what identifies its poses. Also throws FileError if the
+/// file has no estimates.
+Trajectory trajectory_of(const GraphFile& file, const std::string& name);
 
-/// Parses a TUM file. Messages call the file `name`.
-Trajectory parse_tum(std::string_view text, const std::string& name);
+/// Sets the position and the rotation of a pose to those of a vertex.
+void set_pose(TrajectoryPose& pose, const detail::Frame& frame);
+/// True if the position is less than 1e100 m away from the origin in each direction, so that its squared
+/// length does not overflow, and the rotation is finite.
+bool is_bounded(const TrajectoryPose& pose);
+/// Throws FileError if a pose is not bounded.
+void require_bounded(const Trajectory& trajectory, const std::string& name);
 
-}  // namespace boxplus::app
+}  // namespace boxplus

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/alignment.h"
+#include "trajectory/alignment.h"
 
 #include <cmath>
 
 #include "base/align_points.h"
 #include "boxplus/base/error.h"
 
-namespace boxplus::app {
+namespace boxplus {
 namespace {
 
 Alignment umeyama(const std::vector<PosePair>& pairs, int dimension, bool with_scale) {
@@ -16,11 +16,12 @@ Alignment umeyama(const std::vector<PosePair>& pairs, int dimension, bool with_s
     truth.col(static_cast<Eigen::Index>(k)) = pairs[k].truth.position.head(dimension);
   }
   if (with_scale && (result.colwise() - result.col(0)).isZero(0))
-    throw InvalidArgument("--scale: expected poses at different positions, got all poses at one position");
+    throw InvalidArgument(
+        "expected poses at different positions to estimate a scale, got all poses at one position");
   const PointAlignment aligned = align_points(result, truth, with_scale);
   Alignment alignment;
   alignment.scale = aligned.scale;
-  if (!(alignment.scale > 0)) throw InvalidArgument("--scale: no scale above 0 fits the truth");
+  if (!(alignment.scale > 0)) throw InvalidArgument("no scale above 0 fits the truth");
   alignment.rotation.topLeftCorner(dimension, dimension) = aligned.rotation;
   alignment.translation.head(dimension) = aligned.translation;
   return alignment;
@@ -41,7 +42,16 @@ TrajectoryPose Alignment::operator()(TrajectoryPose pose) const {
   return pose;
 }
 
-Alignment align(const std::vector<PosePair>& pairs, int dimension, AlignmentKind kind, bool with_scale) {
+Alignment Alignment::inverse() const {
+  Alignment back;
+  back.scale = 1 / scale;
+  back.rotation = rotation.transpose();
+  back.translation = -back.scale * (back.rotation * translation);
+  return back;
+}
+
+Alignment align_poses(const std::vector<PosePair>& pairs, int dimension, AlignmentKind kind,
+                      bool with_scale) {
   switch (kind) {
     case AlignmentKind::kRigid:
       return umeyama(pairs, dimension, with_scale);
@@ -52,4 +62,4 @@ Alignment align(const std::vector<PosePair>& pairs, int dimension, AlignmentKind
   }
 }
 
-}  // namespace boxplus::app
+}  // namespace boxplus

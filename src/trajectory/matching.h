@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/trajectory.h"
+#include "trajectory/trajectory.h"
 
-namespace boxplus::app {
+namespace boxplus {
 
 /// A pose of the result, and the true pose of the same body.
 struct PosePair {
@@ -17,7 +17,12 @@ struct PosePair {
 struct PosePairs {
   std::vector<PosePair> pairs;  ///< in the order of the truth
   const char* matched_by;       ///< what the poses of a pair share: "id", "name", "position" or "time"
+  /// True if the poses of the result are those of BAL's cameras, with the axes of COLMAP's cameras.
+  bool turns_result = false;
 };
+
+/// Gives a camera of BAL, which looks along −z, the axes of COLMAP's cameras: z forward and y down.
+void turn_to_colmap_axes(TrajectoryPose& camera);
 
 /// Pairs poses by what identifies them in both files. Throws InvalidArgument if the files share no such
 /// thing, or if one trajectory lies in the plane and the other in space. Takes O(n) time.
@@ -31,6 +36,6 @@ struct PosePairs {
 ///   in a model that boxplus has made from a BAL problem. Otherwise by position in the file, if each camera
 ///   shows as many points as its image. The poses of the BAL problem get the axes of COLMAP's cameras.
 /// - All other graphs: by id.
-PosePairs matched(const Trajectory& result, const Trajectory& truth, double most_seconds);
+PosePairs matched_poses(const Trajectory& result, const Trajectory& truth, double most_seconds);
 
-}  // namespace boxplus::app
+}  // namespace boxplus
