@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graph: many vertices or edges at a time, as arrays. If a function throws, the graph is as before.
+// Graph: many vertices or edges at a time, as arrays. All arguments are checked
+// before the graph changes; if a function throws, the graph is as before.
 #include <algorithm>
-#include <numeric>
+#include <optional>
+#include <span>
 #include <string>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "bind.h"
@@ -12,23 +16,26 @@
 namespace boxplus::python {
 namespace {
 
-/// Removes the elements that a function has added, unless it comes to its end.
-template <class Ref>
-class Added {
+/// Removes the edges that a function has added, unless it comes to its end.
+class AddedEdges {
  public:
-  explicit Added(Graph& graph, std::size_t count) : graph_(&graph) { refs_.reserve(count); }
-  ~Added() {
-    for (auto ref = refs_.rbegin(); ref != refs_.rend(); ++ref) graph_->remove(*ref);
+  AddedEdges(Graph& graph, std::size_t count) : graph_(&graph) { edges_.reserve(count); }
+  ~AddedEdges() {
+    for (auto edge = edges_.rbegin(); edge != edges_.rend(); ++edge) graph_->remove(*edge);
   }
-  Added(const Added&) = delete;
-  Added& operator=(const Added&) = delete;
-  void push_back(const Ref& ref) { refs_.push_back(ref); }
-  const Ref& front() const { return refs_.front(); }
-  std::vector<Ref> keep() { return std::exchange(refs_, {}); }
+  AddedEdges(const AddedEdges&) = delete;
+  AddedEdges& operator=(const AddedEdges&) = delete;
+  void push_back(const EdgeRef& edge) { edges_.push_back(edge); }
+  /// Reserves memory for a total of `count` added edges; there must be one.
+  void reserve(std::size_t count) {
+    const EdgeRef& first = edges_.front();
+    graph_->reserve_edges(first, graph_->edge_pools()[first.pool]->alive_count() - 1 + count);
+  }
+  std::vector<EdgeRef> keep() { return std::exchange(edges_, {}); }
 
  private:
   Graph* graph_;
-  std::vector<Ref> refs_;
+  std::vector<EdgeRef> edges_;
 };
 
 void require_equal(std::size_t came, std::size_t expected, const std::string& name, const std::string& like) {
@@ -37,31 +44,50 @@ void require_equal(std::size_t came, std::size_t expected, const std::string& na
                         "), got " + std::to_string(came));
 }
 
-/// "measurements[3]"
-std::string row_name(const char* name, std::size_t row) {
-  return std::string(name) + "[" + std::to_string(row) + "]";
+/// Rows of numbers, each of which is an estimate.
+class Estimates {
+ public:
+  Estimates(py::handle estimates, const VertexKind& kind)
+      : rows_(read_rows(estimates, kind.size, "estimates", kind.layout)),
+        size_(static_cast<std::size_t>(kind.size)) {
+    for (std::size_t i = 0; i < count(); ++i) kind.check_row(row(i), {"estimates", i});
+  }
+  std::size_t count() const { return static_cast<std::size_t>(rows_.shape(0)); }
+  const double* row(std::size_t i) const { return rows_.data() + i * size_; }
+
+ private:
+  Numbers rows_;
+  std::size_t size_;
+};
+
+/// Throws InvalidArgument if an id is taken or appears twice.
+void require_new(const Graph& graph, const std::vector<Id>& ids) {
+  std::unordered_set<Id> seen;
+  seen.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (graph.find_vertex(ids[i]) || !seen.insert(ids[i]).second)
+      throw InvalidArgument(RowName{"ids", i}.text() + ": expected a new id, got " + std::to_string(ids[i]) +
+                            ", which is taken");
+  }
 }
 
 py::array_t<Id> add_vertices(GraphObject& self, py::handle type, py::handle ids, py::handle estimates) {
   Graph& graph = self.write();
   const VertexKind& kind = kind_of_class(type, "type");
-  const Numbers rows = read_rows(estimates, kind.size, "estimates", kind.layout);
-  const auto count = static_cast<std::size_t>(rows.shape(0));
+  const Estimates rows(estimates, kind);
   std::vector<Id> chosen;
   if (!ids.is_none()) {
     chosen = read_ids(ids, "ids");
-    require_equal(count, chosen.size(), "estimates", "ids");
+    require_equal(rows.count(), chosen.size(), "estimates", "ids");
+    require_new(graph, chosen);
   }
-  Added<VertexRef> added(graph, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* row = rows.data() + i * static_cast<std::size_t>(kind.size);
+  py::array_t<Id> result(static_cast<py::ssize_t>(rows.count()));
+  Id* out = result.mutable_data();
+  for (std::size_t i = 0; i < rows.count(); ++i) {
     const std::optional<Id> id = chosen.empty() ? std::nullopt : std::optional(chosen[i]);
-    added.push_back(kind.add_row(graph, row, id, "estimates"));
+    *out++ = graph.id(kind.add_row(graph, rows.row(i), id));
   }
-  std::vector<Id> names;
-  names.reserve(count);
-  for (const VertexRef& vertex : added.keep()) names.push_back(graph.id(vertex));
-  return to_array(names);
+  return result;
 }
 
 py::tuple estimates(const GraphObject& self, py::handle type) {
@@ -89,30 +115,6 @@ py::tuple estimates(const GraphObject& self, py::handle type) {
   return py::make_tuple(ids, rows);
 }
 
-void set_estimates(GraphObject& self, py::handle type, py::handle ids, py::handle estimates) {
-  Graph& graph = self.write();
-  const VertexKind& kind = kind_of_class(type, "type");
-  const Numbers rows = read_rows(estimates, kind.size, "estimates", kind.layout);
-  const std::vector<Id> names = read_ids(ids, "ids");
-  require_equal(static_cast<std::size_t>(rows.shape(0)), names.size(), "estimates", "ids");
-  std::vector<VertexRef> vertices;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    vertices.push_back(vertex_of(graph, py::int_(names[i]), row_name("ids", i)));
-    if (&kind_of_vertex(graph, vertices.back()) != &kind)
-      throw py::type_error(row_name("ids", i) + ": expected a vertex of the type " + std::string(kind.name) +
-                           ", got vertex " + std::to_string(names[i]) + " of another type");
-  }
-  graph.push(vertices);
-  try {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      kind.set_row(graph, vertices[i], rows.data() + i * static_cast<std::size_t>(kind.size), "estimates");
-  } catch (...) {
-    graph.pop();
-    throw;
-  }
-  graph.discard_top();
-}
-
 /// The vertices of many edges at one place: an array of ids, or one vertex for all edges.
 class Column {
  public:
@@ -127,7 +129,7 @@ class Column {
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const std::optional<VertexRef> found = graph.find_vertex(ids[i]);
       if (!found)
-        throw InvalidArgument(row_name(name.c_str(), i) + ": there is no vertex with the id " +
+        throw InvalidArgument(RowName{name, i}.text() + ": there is no vertex with the id " +
                               std::to_string(ids[i]));
       refs_.push_back(*found);
     }
@@ -141,51 +143,86 @@ class Column {
   bool is_shared_;
 };
 
+void set_estimates(GraphObject& self, py::handle type, py::handle ids, py::handle estimates) {
+  Graph& graph = self.write();
+  const VertexKind& kind = kind_of_class(type, "type");
+  const Estimates rows(estimates, kind);
+  const std::vector<Id> names = read_ids(ids, "ids");
+  require_equal(rows.count(), names.size(), "estimates", "ids");
+  const std::uint32_t pool = pool_index_of_kind(graph, kind);
+  const Column vertices(graph, ids, "ids");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (vertices[i].pool != pool)
+      throw py::type_error(RowName{"ids", i}.text() + ": expected a vertex of the type " +
+                           std::string(kind.name) + ", got vertex " + std::to_string(names[i]) +
+                           " of another type");
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) kind.set_row(graph, vertices[i], rows.row(i));
+}
+
+/// The vertices of many edges.
+class Columns {
+ public:
+  Columns(const Graph& graph, const py::args& vertices, std::size_t edges) : refs_(vertices.size()) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const std::string name = RowName{"vertices", i}.text();
+      columns_.emplace_back(graph, vertices[i], name);
+      if (!columns_.back().fits(edges)) require_equal(columns_.back().size(), edges, name, "measurements");
+    }
+  }
+  /// The vertices of an edge, until the next call.
+  std::span<const VertexRef> of_edge(std::size_t edge) {
+    for (std::size_t i = 0; i < refs_.size(); ++i) refs_[i] = columns_[i][edge];
+    return refs_;
+  }
+  /// Throws TypeError if the vertices of an edge have other types than those of the first edge.
+  void require_same_types(const Graph& graph, std::size_t edges) const {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      for (std::size_t edge = 1; edge < edges; ++edge) {
+        if (columns_[i][edge].pool == columns_[i][0].pool) continue;
+        const auto type = [&](std::size_t k) {
+          return std::string(graph.vertex_pools()[columns_[i][k].pool]->type_name());
+        };
+        throw py::type_error(RowName{"vertices", i}.text() + ": expected vertices of one type, got " +
+                             type(0) + " at [0] and " + type(edge) + " at [" + std::to_string(edge) + "]");
+      }
+    }
+  }
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<VertexRef> refs_;
+};
+
 py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices, py::handle measurements,
                    py::handle informations) {
   Graph& graph = self.write();
   const std::string family = family_of(type);
   if (!py::isinstance<py::type>(type)) throw_type_error("type", "the class " + family, type);
-  std::vector<Column> columns;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    columns.emplace_back(graph, vertices[i], row_name("vertices", i));
-  const auto count = static_cast<std::size_t>(py::len(measurements));
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!columns[i].fits(count))
-      require_equal(columns[i].size(), count, row_name("vertices", i), "measurements");
-  }
+  const Numbers numbers = read_numbers(measurements, "measurements");
+  if (numbers.ndim() == 0) throw_value_error("measurements", "an array with a row per edge", measurements);
+  const auto count = static_cast<std::size_t>(numbers.shape(0));
+  Columns columns(graph, vertices, count);
   if (count == 0) return py::list();
 
-  std::vector<VertexRef> refs(columns.size());
-  const auto gather = [&](std::size_t edge) {
-    for (std::size_t i = 0; i < columns.size(); ++i) refs[i] = columns[i][edge];
-  };
-  gather(0);
-  const EdgeKind& kind = kind_for(family, graph, refs);
-  const std::vector<VertexRef> first = refs;
-  const Numbers rows = read_rows(measurements, kind.size, "measurements", kind.layout);
+  const EdgeKind& kind = kind_for(family, graph, columns.of_edge(0));
+  columns.require_same_types(graph, count);
+  const Numbers rows = read_rows(numbers, kind.size, "measurements", kind.layout);
   const Informations omegas(informations, kind.rows, "informations");
   omegas.require_count(count);
 
-  Added<EdgeRef> added(graph, count);
+  AddedEdges added(graph, count);
+  const auto add = [&](std::size_t edge) {
+    const double* row = rows.data() + edge * static_cast<std::size_t>(kind.size);
+    return kind.add_row(graph, row, {"measurements", edge}, omegas[edge], columns.of_edge(edge).data());
+  };
   for (std::size_t edge = 0; edge < count; ++edge) {
-    gather(edge);
-    for (std::size_t i = 0; i < refs.size(); ++i) {
-      if (refs[i].pool != first[i].pool)
-        kind_for(family, graph, refs);  // throws, or there is a kind for these types
-    }
-    const bool same = std::equal(refs.begin(), refs.end(), first.begin(),
-                                 [](const VertexRef& a, const VertexRef& b) { return a.pool == b.pool; });
-    if (!same)
-      throw py::type_error(row_name("vertices", edge) + ": expected vertices of the same types in all edges");
     try {
-      added.push_back(kind.add_row(graph, rows.data() + edge * static_cast<std::size_t>(kind.size),
-                                   omegas[edge], refs.data()));
+      added.push_back(add(edge));
     } catch (const InvalidArgument& error) {
       throw InvalidArgument("edge " + std::to_string(edge) + " of the arrays: " + error.what());
     }
-    if (edge == 0)
-      graph.reserve_edges(added.front(), count + graph.edge_pools()[added.front().pool]->alive_count());
+    if (edge == 0) added.reserve(count);
   }
   py::list edges(count);
   std::size_t i = 0;

@@ -21,6 +21,13 @@ namespace py = pybind11;
 /// Numbers row by row, one after the other.
 using Numbers = py::array_t<double, py::array::c_style>;
 
+/// A row of an array, for messages: "estimates[3]".
+struct RowName {
+  std::string_view array;
+  std::size_t row;
+  std::string text() const { return std::string(array) + "[" + std::to_string(row) + "]"; }
+};
+
 /// "a float64 array of shape (3, 2)", "SE2(1, 2, 3)", "'text' (a str)"
 std::string described(py::handle value);
 [[noreturn]] void throw_type_error(std::string_view name, std::string_view expected, py::handle came);

@@ -47,9 +47,9 @@ EdgeKind kind(std::string_view family, std::string_view vertices) {
         return add<V...>(graph, edge_with<E>(Z::from_python(measurement, "measurement")), information, refs,
                          std::index_sequence_for<V...>());
       },
-      .add_row = [](Graph& graph, const double* row, const Information& information,
+      .add_row = [](Graph& graph, const double* row, RowName name, const Information& information,
                     const VertexRef* refs) -> EdgeRef {
-        return add<V...>(graph, edge_with<E>(Z::from_row(row, "measurements")), information, refs,
+        return add<V...>(graph, edge_with<E>(Z::from_row(row, name)), information, refs,
                          std::index_sequence_for<V...>());
       },
       .measurement = [](const Graph& graph, EdgeRef edge) -> py::object {

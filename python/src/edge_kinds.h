@@ -28,7 +28,7 @@ struct EdgeKind {
   int size;                            ///< the numbers of this row
   int rows;                            ///< of the error
   EdgeRef (*add)(Graph&, py::handle measurement, const Information&, const VertexRef* vertices);
-  EdgeRef (*add_row)(Graph&, const double* row, const Information&, const VertexRef* vertices);
+  EdgeRef (*add_row)(Graph&, const double* row, RowName name, const Information&, const VertexRef* vertices);
   py::object (*measurement)(const Graph&, EdgeRef);
   void (*set_measurement)(Graph&, EdgeRef, py::handle measurement);
 };

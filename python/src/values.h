@@ -19,7 +19,7 @@ namespace boxplus::python {
 /// Value<T> has
 ///   kName, kLayout   the name of the type, and the meaning of the numbers of a row
 ///   kSize            the number of numbers in a row
-///   from_row()       throws a ValueError with `name` if the numbers are no T
+///   from_row()       throws a ValueError with the name of the row if the numbers are no T
 ///   to_row()
 ///   is(), from_python(), to_python()
 template <class T>
@@ -40,7 +40,7 @@ template <>
 struct Value<SE2> : ClassValue<SE2> {
   static constexpr std::string_view kName = "SE2", kLayout = "x y theta";
   static constexpr int kSize = 3;
-  static SE2 from_row(const double* row, std::string_view) { return {row[0], row[1], row[2]}; }
+  static SE2 from_row(const double* row, RowName) { return {row[0], row[1], row[2]}; }
   static void to_row(const SE2& x, double* row) { std::copy_n(x.data(), kSize, row); }
 };
 
@@ -50,12 +50,12 @@ template <>
 struct Value<SE3> : ClassValue<SE3> {
   static constexpr std::string_view kName = "SE3", kLayout = "x y z qx qy qz qw";
   static constexpr int kSize = 7;
-  static SE3 from_row(const double* row, std::string_view name) {
+  static SE3 from_row(const double* row, RowName name) {
     const Vector3 t(row[0], row[1], row[2]);
     const SE3::Quaternion q{row[3], row[4], row[5], row[6]};
     const double excess = std::abs(std::sqrt(q.squared_norm()) - 1);
     if (!(excess <= FileFields<SE3>::kNormTolerance)) {
-      throw_value_error(name, "a quaternion (qx qy qz qw) of length 1",
+      throw_value_error(name.text(), "a quaternion (qx qy qz qw) of length 1",
                         to_array(std::span(row + 3, 4)).attr("tolist")());
     }
     return excess <= FileFields<SE3>::kRounding ? SE3::from_unit(t, q) : SE3(t, q);
@@ -73,12 +73,12 @@ struct Value<Vector<double, N>> {
     const py::array array = py::array::ensure(value);
     return array && array.ndim() == 1 && array.size() == N;
   }
-  static Vector<double, N> from_row(const double* row, std::string_view) {
+  static Vector<double, N> from_row(const double* row, RowName) {
     return Eigen::Map<const Vector<double, N>>(row);
   }
   static void to_row(const Vector<double, N>& x, double* row) { std::copy_n(x.data(), N, row); }
   static Vector<double, N> from_python(py::handle value, std::string_view name) {
-    return from_row(read_vector(value, N, name, kLayout).data(), name);
+    return Eigen::Map<const Vector<double, N>>(read_vector(value, N, name, kLayout).data());
   }
   static py::object to_python(const Vector<double, N>& x) {
     return to_array(std::span(x.data(), std::size_t{N}));
@@ -89,7 +89,7 @@ template <>
 struct Value<double> {
   static constexpr std::string_view kName = "float", kLayout = "value";
   static constexpr int kSize = 1;
-  static double from_row(const double* row, std::string_view) { return row[0]; }
+  static double from_row(const double* row, RowName) { return row[0]; }
   static void to_row(double x, double* row) { row[0] = x; }
   static double from_python(py::handle value, std::string_view name) { return read_number(value, name); }
   static py::object to_python(double x) { return py::float_(x); }

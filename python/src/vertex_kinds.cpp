@@ -25,8 +25,10 @@ VertexKind kind() {
         if (is_parameter) return graph.add_parameter(std::move(value), id);
         return graph.add_vertex(std::move(value), id);
       },
-      .add_row = [](Graph& graph, const double* row, std::optional<Id> id, std::string_view name)
-          -> VertexRef { return graph.add_vertex(V::from_row(row, name), id); },
+      .check_row = [](const double* row, RowName name) { static_cast<void>(V::from_row(row, name)); },
+      .add_row = [](Graph& graph, const double* row, std::optional<Id> id) -> VertexRef {
+        return graph.add_vertex(V::from_row(row, {}), id);
+      },
       .estimate = [](const Graph& graph, VertexRef vertex) -> py::object {
         return V::to_python(graph.estimate(VertexHandle<T>{vertex}));
       },
@@ -36,10 +38,8 @@ VertexKind kind() {
           },
       .get_row = [](const Graph& graph, VertexRef vertex,
                     double* row) { V::to_row(graph.estimate(VertexHandle<T>{vertex}), row); },
-      .set_row =
-          [](Graph& graph, VertexRef vertex, const double* row, std::string_view name) {
-            graph.set_estimate(VertexHandle<T>{vertex}, V::from_row(row, name));
-          },
+      .set_row = [](Graph& graph, VertexRef vertex,
+                    const double* row) { graph.set_estimate(VertexHandle<T>{vertex}, V::from_row(row, {})); },
   };
 }
 

@@ -20,11 +20,13 @@ struct VertexKind {
   std::type_index pool;     ///< the type of the pool of its vertices
   bool (*is)(py::handle estimate);
   VertexRef (*add)(Graph&, py::handle estimate, std::optional<Id> id, bool is_parameter);
-  VertexRef (*add_row)(Graph&, const double* row, std::optional<Id> id, std::string_view name);
+  /// Throws ValueError if the numbers are no estimate.
+  void (*check_row)(const double* row, RowName name);
+  VertexRef (*add_row)(Graph&, const double* row, std::optional<Id> id);
   py::object (*estimate)(const Graph&, VertexRef);
   void (*set_estimate)(Graph&, VertexRef, py::handle estimate);
   void (*get_row)(const Graph&, VertexRef, double* row);
-  void (*set_row)(Graph&, VertexRef, const double* row, std::string_view name);
+  void (*set_row)(Graph&, VertexRef, const double* row);
 };
 
 std::span<const VertexKind> vertex_kinds();

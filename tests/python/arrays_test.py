@@ -113,14 +113,14 @@ class Arrays(unittest.TestCase):
                 (ValueError, "ids: expected an array of integers of shape (n,)", [[5]], [[1, 2, 3]]),
                 (ValueError, "ids: expected ids from 0 to 2**63 - 1, got -1 at [1]", [5, -1], np.ones((2, 3))),
                 (ValueError, "got 18446744073709551615 at [0]", np.array([2**64 - 1], dtype=np.uint64), [[1, 2, 3]]),
-                (boxplus.InvalidArgument, "1", [5, 1], np.ones((2, 3))),
-                (boxplus.InvalidArgument, "5", [5, 5], np.ones((2, 3)))):
+                (boxplus.InvalidArgument, "ids[1]: expected a new id, got 1, which is taken", [5, 1], np.ones((2, 3))),
+                (boxplus.InvalidArgument, "ids[1]: expected a new id, got 5", [5, 5], np.ones((2, 3)))):
             with self.subTest(text):
                 self.assert_refused(error, text, lambda: graph.add_vertices(SE2, ids, rows))
                 self.assertEqual(graph.to_text(), before)
         self.assert_refused(TypeError, "type: expected one of the classes", lambda: graph.add_vertices("SE2", [5], [[1]]))
         self.assert_refused(TypeError, "type: expected one of the classes", lambda: graph.estimates(Between))
-        self.assert_refused(ValueError, "quaternion (qx qy qz qw) of length 1, got [0.0, 0.0, 0.0, 2.0]",
+        self.assert_refused(ValueError, "estimates[0]: expected a quaternion (qx qy qz qw) of length 1, got [0.0, 0.0, 0.0, 2.0]",
                             lambda: graph.add_vertices(SE3, [5], [[0, 0, 0, 0, 0, 0, 2]]))
         self.assert_refused(TypeError, "ids[1]: expected a vertex of the type SE2",
                             lambda: graph.set_estimates(SE2, [0, graph.id(graph.add_vertex(Vector2(0, 0)))], np.ones((2, 3))))
@@ -135,7 +135,8 @@ class Arrays(unittest.TestCase):
                 (ValueError, "vertices[1]: expected as many rows as measurements (2), got 1", ([0, 1], [1]), z, 1),
                 (boxplus.InvalidArgument, "vertices[0][1]: there is no vertex with the id 5", ([0, 5], j), z, 1),
                 (TypeError, "Between: expected vertices of the types (SE2, SE2)", ([9, 9], j), z, 1),
-                (TypeError, "Between: expected vertices of the types (SE2, SE2)", ([0, 9], j), z, 1),
+                (TypeError, "vertices[0]: expected vertices of one type, got SE2 at [0] and Vector2 at [1]", ([0, 9], j), z, 1),
+                (ValueError, "measurements: expected an array with a row per edge, got 3 (int)", (i, j), 3, 1),
                 (TypeError, "Between: expected vertices of the types", (i,), z, 1),
                 (ValueError, "measurements: expected an array of shape (n, 3)", (i, j), np.ones((2, 7)), 1),
                 (ValueError, "measurements: expected finite numbers, got inf at [0, 0]", (i, j), z * np.inf, 1),
