@@ -65,7 +65,7 @@ class GraphSubject final : public Subject {
   const GraphFile* file_;
   std::string name_;
   Structure structure_;
-  mutable std::optional<Truth> truth_;  ///< a comparison keeps the poses that it has read
+  std::optional<Truth> truth_;
   std::unique_ptr<Optimizer> optimizer_;
   bool has_kernels_ = false;
 };
