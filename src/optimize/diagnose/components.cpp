@@ -67,8 +67,12 @@ std::vector<VertexRef> moved_vertices(const Evidence& evidence, const GaugeCompo
 /// Whether the edges of each vertex alone leave it free. Then other findings say so.
 bool each_is_free(const Evidence& evidence, const std::vector<VertexRef>& vertices) {
   return std::all_of(vertices.begin(), vertices.end(), [&](const VertexRef& vertex) {
-    return std::any_of(evidence.free_directions.begin(), evidence.free_directions.end(),
-                       [&](const FreeDirections& f) { return evidence.vertices[f.vertex].vertex == vertex; });
+    const auto index =
+        static_cast<std::size_t>(evidence.find(vertex.pool, vertex.slot) - evidence.vertices.data());
+    const auto found =
+        std::lower_bound(evidence.free_directions.begin(), evidence.free_directions.end(), index,
+                         [](const FreeDirections& free, std::size_t i) { return free.vertex < i; });
+    return found != evidence.free_directions.end() && found->vertex == index;
   });
 }
 

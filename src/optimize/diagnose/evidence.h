@@ -17,19 +17,18 @@ struct PoolEvidence {
   std::uint32_t pool = 0;
   std::vector<std::uint32_t> edges;
   std::vector<double> chi2;  ///< eᵀΩe of each edge, without its kernel; may be not finite
-  std::vector<std::uint64_t>
-      signatures;  ///< equal for edges with the same vertices and errors; 0: Jacobian is 0
+  /// Equal for edges with the same vertices and errors; 0 if the Jacobian is zero.
+  std::vector<std::uint64_t> signatures;
 };
 
-/// A vertex of an enabled active edge that may move. With fewer edges, H and the gradient are sums over those
-/// that are finite.
+/// A vertex of an active edge that may move. Its parts of H and of the gradient are sums over its finite
+/// edges.
 struct VertexEvidence {
   VertexRef vertex;
   int dim = 0;
-  std::uint32_t edges = 0;  ///< the number of enabled active edges
-  std::uint32_t last = 0;   ///< the pool and slot of one of these edges
-  std::uint32_t last_pool = 0;
-  bool is_finite = true;         ///< whether all of these edges are finite
+  std::uint32_t edges = 0;                ///< the number of enabled active edges
+  std::uint32_t last_pool = 0, last = 0;  ///< the pool and the slot of the last of these edges
+  bool is_finite = true;                  ///< whether all of these edges are finite
   std::size_t first_value = 0;   ///< of its block of H, which is column-major; only the lower triangle is set
   std::size_t first_scalar = 0;  ///< of its part of the gradient
 };
@@ -37,8 +36,8 @@ struct VertexEvidence {
 /// The directions of a vertex that none of its edges determines.
 struct FreeDirections {
   std::size_t vertex = 0;  ///< an index into Evidence::vertices
-  std::vector<std::vector<double>>
-      directions;  ///< unit vectors in the tangent space, without fixed directions
+  /// Unit vectors in the tangent space; zero in fixed directions.
+  std::vector<std::vector<double>> directions;
 };
 
 class Evidence {
@@ -56,7 +55,7 @@ class Evidence {
   double chi2 = 0;  ///< Σ ρ(eᵀΩe) over the finite edges
   std::uint64_t rows = 0;
   bool has_kernels = false;
-  std::vector<FreeDirections> free_directions;
+  std::vector<FreeDirections> free_directions;  ///< in the order of `vertices`
   std::vector<CameraViews> cameras;
   /// The decrease of chi2 if each vertex takes a Gauss-Newton step of its own, summed over the vertices.
   double single_decrease = 0;
