@@ -21,7 +21,7 @@ struct FourPoses {
 
   FourPoses() {
     for (const Id id : {0, 1, 2, 10})
-      poses.push_back(graph.add_vertex(id, SE2(static_cast<double>(id), 0, 0)));
+      poses.push_back(graph.add_vertex(SE2(static_cast<double>(id), 0, 0), id));
     graph.fix(poses[0]);
     graph.add_edge(Between(SE2(1, 0, 0)), poses[0], poses[1]);
     graph.add_edge(Between(SE2(1, 0, 0)), poses[1], poses[2]);
@@ -61,7 +61,7 @@ TEST(DiagnosisJson, MarksTheVerticesOfEdges) {
 
 TEST(DiagnosisJson, NamesNoElementIfThereAreSeveral) {
   FourPoses world;
-  const auto a = world.graph.add_vertex(20, SE2()), b = world.graph.add_vertex(21, SE2());
+  const auto a = world.graph.add_vertex(SE2(), 20), b = world.graph.add_vertex(SE2(), 21);
   world.graph.add_edge(Between(SE2()), a, b);
   const Json finding = found(diagnosed(world.graph), "free-component");
   ASSERT_FALSE(finding.is_null());
