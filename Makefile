@@ -38,7 +38,7 @@ test: setup ## builds everything and runs all tests
 bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@scripts/install_dependencies.sh scripts/debian-packages-bench.txt
 	@cmake --preset bench
-	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks
+	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks boxplus_command
 	@build/bench/bin/graph_file_bench
 	@build/bench/bin/dense_kernels_bench
 	@build/bench/bin/live_step_bench
@@ -46,6 +46,8 @@ bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/bundle_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
+	@scripts/page_tools.sh
+	@node bench/viewer/viewer_bench.mjs build/bench/bin/boxplus "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@mv build/bench/RESULTS.md bench/RESULTS.md
 
 dev asan ubsan tsan: setup

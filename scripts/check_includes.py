@@ -28,10 +28,11 @@ ALLOWED = {
     "optimize": "base manifold autodiff robust graph linear linearize",
     "types": "base kernels manifold autodiff robust graph optimize",
     "io": "base manifold autodiff robust graph optimize types",
+    "trajectory": "base manifold autodiff robust graph optimize types io",
     "action": "base manifold autodiff robust graph linear linearize optimize types io",
     "plugin": "base manifold autodiff robust graph linear linearize optimize types io action",
     # A library of its own.
-    "viewer": "base manifold autodiff robust graph linear linearize optimize types io",
+    "viewer": "base manifold autodiff robust graph linear linearize optimize types io trajectory",
     # Checkers and simulators with which users test their own types.
     "testing": "base manifold autodiff robust graph linear linearize optimize types",
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/symmetric_eigen.h"
@@ -120,6 +121,16 @@ Information::Information(detail::InformationKind kind, int rows, std::span<const
 
 Information Information::diagonal(std::span<const double> values) {
   return {detail::InformationKind::kDiagonal, static_cast<int>(values.size()), values};
+}
+
+Information Information::se3_sigmas(double translation, double rotation) {
+  for (const double sigma : {translation, rotation}) {
+    if (!(sigma > 0) || !std::isfinite(sigma))
+      throw InvalidArgument(
+          fmt::format("information: expected finite standard deviations > 0, got {}", sigma));
+  }
+  const double t = 1 / (translation * translation), r = 4 / (rotation * rotation);
+  return diagonal(std::array{t, t, t, r, r, r});
 }
 
 Information Information::upper_triangle(std::span<const double> values, int rows) {

@@ -9,6 +9,7 @@
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
+#include "boxplus/manifold/se3.h"
 
 namespace boxplus {
 namespace {
@@ -59,6 +60,25 @@ TEST(Information, OfEachKindActsLikeItsDenseMatrix) {
     EXPECT_LE((product - dense * e).norm(), 1e-13);
   }
   EXPECT_EQ(Information::upper_triangle(triangle, 3).values()[4], -1);
+}
+
+TEST(Information, OfStandardDeviationsCountsHalfAngles) {
+  const Information omega = Information::se3_sigmas(0.1, 0.2);
+  EXPECT_EQ(omega.rows(), 6);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(omega.values()[static_cast<std::size_t>(i)], 100);
+    EXPECT_DOUBLE_EQ(omega.values()[static_cast<std::size_t>(i + 3)], 100);
+  }
+  // A rotation by one standard deviation has the chi2 1, up to the fourth power of the angle.
+  const SE3 x(Vector<double, 3>::Zero(), SO3::from_rotation_vector(Vector<double, 3>(0.02, 0, 0)));
+  Graph graph;
+  graph.add_edge([](const auto& pose) { return pose.minimal(); }, Information::se3_sigmas(1, 0.02),
+                 graph.add_vertex(x));
+  EXPECT_NEAR(graph.chi2(), 1, 1e-4);
+  for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity(), kNan}) {
+    EXPECT_THROW(Information::se3_sigmas(wrong, 1), InvalidArgument) << wrong;
+    EXPECT_THROW(Information::se3_sigmas(1, wrong), InvalidArgument) << wrong;
+  }
 }
 
 TEST(Information, OfTheWrongSizeIsRefused) {

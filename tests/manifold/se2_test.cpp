@@ -68,5 +68,19 @@ TEST(SE2, HasExactJacobiansFromDualNumbers) {
   EXPECT_LT((dual_jacobian<3>(error, a) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+TEST(SE2, HasAnExponentialWhoseInverseIsTheLogarithm) {
+  for (const double angle : {0.0, 1e-9, 0.009, 0.011, -1.0, 3.1}) {
+    const Vector<double, 3> v(1, -2, angle);
+    const SE2 x = SE2::exp(v), half = SE2::exp(0.5 * v);
+    EXPECT_LT((x.log() - v).norm(), 1e-14) << angle;
+    EXPECT_LT(((half * half).vector() - x.vector()).norm(), 1e-14) << angle;
+  }
+}
+
+TEST(SE2, MovesOnACircleIfItsVelocitiesAreConstant) {
+  const SE2 quarter = SE2::exp(Vector<double, 3>(kPi, 0, kPi / 2));  // of a circle with radius 2, to the left
+  EXPECT_LT((quarter.vector() - Vector<double, 3>(2, 2, kPi / 2)).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace boxplus

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "boxplus/testing/check_manifold.h"
 #include "manifold/samples.h"
 
@@ -94,6 +96,30 @@ TEST(SE3, MovesInItsOwnFrameByTranslationAndQuaternionVector) {
   const SE3 y = Manifold<SE3>::oplus(x, delta);
   EXPECT_NEAR(y.translation()[1], 2, 1e-15);
   EXPECT_NEAR(y.quaternion().w, std::sqrt(0.5) * (0.8 - 0.6), 1e-15);
+}
+
+TYPED_TEST(PoseTest, HasAnExponentialWhoseInverseIsTheLogarithm) {
+  for (const double angle : {0.0, 1e-9, 0.009, 0.011, 1.0, 3.1}) {
+    Vector<double, 6> v;
+    v << 1, -2, 3, angle * Vector<double, 3>(2, -1, 2) / 3;
+    const TypeParam x = TypeParam::exp(v);
+    EXPECT_LT((x.log() - v).norm(), 1e-13) << angle;
+    const TypeParam half = TypeParam::exp(0.5 * v);
+    EXPECT_LT(((half * half).vector() - x.vector()).norm(), 1e-14) << angle;
+  }
+}
+
+TEST(SE3, MovesOnACircleIfItsVelocitiesAreConstant) {
+  Vector<double, 6> v;  // a quarter of a circle with radius 2, to the left
+  v << kPi, 0, 0, 0, 0, kPi / 2;
+  EXPECT_LT((SE3::exp(v).translation() - Vector<double, 3>(2, 2, 0)).norm(), 1e-15);
+}
+
+TEST(SE3, TakesAQuaternionOfEigen) {
+  const Eigen::Quaterniond q(0.8, 0, 0, 0.6);
+  Vector<double, 7> v;
+  v << 1, 2, 3, 0, 0, 0.6, 0.8;
+  EXPECT_EQ(SE3(Vector<double, 3>(1, 2, 3), q).vector(), v);
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ class ArrayMessage {
   }
 
   Message make(MessageKind kind) {
-    std::string header = header_.dump();
+    // Names may contain bytes that are not valid UTF-8.
+    std::string header = header_.dump(-1, ' ', false, Json::error_handler_t::replace);
     pad(header, ' ');
     auto text = std::make_shared<std::string>();
     text->reserve(3 * sizeof(std::uint32_t) + header.size() + size_);
@@ -109,6 +110,16 @@ Json setting_json(const Setting& setting, const WhyUnsuitable& why_unsuitable) {
   return json;
 }
 
+Json truth_json(const std::optional<TruthFit>& fit) {
+  if (!fit) return nullptr;
+  const bool has_motions = fit->motions > 0;
+  return {{"rotation", fit->rotation},
+          {"translation", fit->translation},
+          {"ate_m", fit->ate},
+          {"rpe_m", has_motions ? Json(fit->rpe_translation) : Json(nullptr)},
+          {"rpe_rad", has_motions ? Json(fit->rpe_rotation) : Json(nullptr)}};
+}
+
 }  // namespace
 
 Message make_message(MessageKind kind, std::string_view payload) {
@@ -159,13 +170,15 @@ Message structure_message(const Structure& structure, std::uint64_t graph, std::
 }
 
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const Errors& errors, const Uncertainty& uncertainty) {
+                      const Errors& errors, const Uncertainty& uncertainty,
+                      const std::optional<TruthFit>& truth) {
   ArrayMessage message({{"structure", facts.structure},
                         {"sequence", facts.sequence},
                         {"iteration", facts.iteration},
                         {"chi2", facts.chi2},
                         {"center", structure.center},
-                        {"uncertainty", uncertainty.note}});
+                        {"uncertainty", uncertainty.note},
+                        {"truth", truth_json(truth)}});
   message.add("positions", positions.points);
   message.add("orientations", positions.orientations);
   if (!errors.points.empty()) message.add("errors", errors.points);
@@ -176,6 +189,17 @@ Message frame_message(const FrameFacts& facts, const Structure& structure, const
     message.add("covariances", uncertainty.covariances);
   }
   return message.make(MessageKind::kFrame);
+}
+
+Message truth_message(std::uint64_t structure, const TruthFacts& facts, const TruthPlaces& places) {
+  ArrayMessage message({{"structure", structure},
+                        {"name", facts.name},
+                        {"matched_by", facts.matched_by},
+                        {"matched", facts.matched},
+                        {"poses", facts.poses},
+                        {"true_poses", facts.true_poses}});
+  message.add("positions", places);
+  return message.make(MessageKind::kTruth);
 }
 
 Message pattern_message(const Pattern& pattern) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,12 +15,13 @@
 #include "viewer/scene/pattern.h"
 #include "viewer/scene/positions.h"
 #include "viewer/scene/structure.h"
+#include "viewer/scene/truth.h"
 #include "viewer/scene/uncertainty.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
 
-enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm, kPattern };
+enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm, kPattern, kTruth };
 
 /// A message with its length and kind, as it is sent. Pages share it.
 using Message = std::shared_ptr<const std::string>;
@@ -45,7 +47,11 @@ struct FrameFacts {
 };
 /// The vectors of `errors` and `uncertainty` may be empty.
 Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
-                      const Errors& errors, const Uncertainty& uncertainty = {});
+                      const Errors& errors, const Uncertainty& uncertainty = {},
+                      const std::optional<TruthFit>& truth = {});
+
+/// `structure` is the number of the structure to which the places belong.
+Message truth_message(std::uint64_t structure, const TruthFacts& facts, const TruthPlaces& places);
 
 Message pattern_message(const Pattern& pattern);
 

@@ -82,6 +82,12 @@ std::string clean_name(std::string name) {
   return name.empty() ? "file" : name;
 }
 
+/// What the body of /open is.
+bool opens_truth(std::string_view as) {
+  if (as != "" && as != "graph" && as != "truth") throw InvalidArgument("as: expected one of graph, truth");
+  return as == "truth";
+}
+
 void carry_out(const Command& command, Workspace& workspace) {
   switch (command.kind) {
     case Command::Kind::kOptimize:
@@ -139,6 +145,9 @@ class Server::Implementation {
       if (has_token(request, response))
         response.set_content(std::string(*workspace_.pattern()), "application/octet-stream");
     });
+    http_.Get("/diagnosis", [this](const auto& request, auto& response) {
+      if (has_token(request, response)) response.set_content(workspace_.diagnosis(), "application/json");
+    });
     http_.Get("/graph", [this](const auto& request, auto& response) { send_graph(request, response); });
     http_.Get("/element", [this](const auto& request, auto& response) {
       if (!has_token(request, response)) return;
@@ -152,10 +161,16 @@ class Server::Implementation {
       answer(response, 200, {{"ok", true}});
     });
     http_.Post("/open", [this](const auto& request, auto& response, const auto& content) {
+      const bool is_truth = opens_truth(request.get_param_value("as"));
       workspace_.expect_idle();  // before a long body is read
       std::optional<std::string> body = read_body(request, response, content, kLongestFile);
       if (!body) return;
-      workspace_.open(clean_name(request.get_param_value("name")), std::move(*body));
+      std::string name = clean_name(request.get_param_value("name"));
+      if (is_truth) {
+        workspace_.open_truth(std::move(name), std::move(*body));
+      } else {
+        workspace_.open(std::move(name), std::move(*body));
+      }
       answer(response, 200, {{"ok", true}});
     });
     thread_ = std::thread([this] { http_.listen_after_bind(); });

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "viewer/server/diagnosis_json.h"
 #include "viewer/server/element_json.h"
 #include "viewer/settings/setting_table.h"
 
@@ -76,7 +77,28 @@ Message GraphSubject::uncertain_frame(const FrameFacts& facts, Listener& listene
 Message GraphSubject::frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const {
   const Positions positions = read_positions(*graph_, structure_);
   const Errors errors = at_rest ? read_errors(*graph_, structure_) : Errors();
-  return frame_message(facts, structure_, positions, errors, uncertainty);
+  return frame_message(facts, structure_, positions, errors, uncertainty,
+                       truth_ ? truth_->fit(*graph_, structure_) : std::nullopt);
+}
+
+void GraphSubject::open_truth(const std::string& name, const std::string& text, Listener& listener) {
+  set_truth(parse_truth(name, text), listener);
+}
+
+void GraphSubject::set_truth(Truth truth, Listener& listener) {
+  truth.match(*graph_, file_, name_);
+  const TruthFacts& facts = truth.facts();
+  listener.log("info",
+               fmt::format("{} is the truth: {} of {} poses match {} of {} true poses by {}", facts.name,
+                           facts.matched, facts.poses, facts.matched, facts.true_poses, facts.matched_by));
+  truth_ = std::move(truth);
+  std::ignore = truth_->place(*graph_, structure_);
+}
+
+Message GraphSubject::truth(std::uint64_t structure) {
+  if (!truth_) return nullptr;
+  const TruthPlaces places = truth_->place(*graph_, structure_);
+  return truth_message(structure, truth_->facts(), places);
 }
 
 std::string GraphSubject::describe(const ElementName& name, std::uint64_t structure) const {
@@ -125,6 +147,14 @@ void GraphSubject::restore() {
 
 void GraphSubject::drop_estimates() {
   graph_->discard_top();
+}
+
+std::string GraphSubject::diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const {
+  Options options;
+  options.stop = &stop;
+  const Diagnosis diagnosis = diagnose(*graph_, options);
+  if (!diagnosis.is_complete) throw InvalidArgument("the diagnosis was stopped");
+  return diagnosis_json(*graph_, structure_, diagnosis, structure);
 }
 
 Message GraphSubject::pattern(const std::atomic<bool>& stop) const {

@@ -8,6 +8,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/optimizer.h"
+#include "viewer/scene/truth.h"
 #include "viewer/settings/run_settings.h"
 #include "viewer/workspace/subject.h"
 
@@ -31,6 +32,8 @@ class GraphSubject final : public Subject {
   Message structure(std::uint64_t graph, std::uint64_t number) const override;
   Message frame(const FrameFacts& facts, bool at_rest) const override;
   Message uncertain_frame(const FrameFacts& facts, Listener& listener) const override;
+  void open_truth(const std::string& name, const std::string& text, Listener& listener) override;
+  Message truth(std::uint64_t structure) override;
   std::string describe(const ElementName& name, std::uint64_t structure) const override;
   /// Refused if the graph is that of a program, because the program does not expect it.
   std::string edit(const Edit& edit) override;
@@ -41,9 +44,13 @@ class GraphSubject final : public Subject {
   void keep_estimates() override { graph_->push(); }
   void restore() override;
   void drop_estimates() override;
+  std::string diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const override;
   Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 
+  /// Compares the estimates with this truth from now on. Throws as Truth::match() does, and then changes
+  /// nothing.
+  void set_truth(Truth truth, Listener& listener);
   /// Adds the notes on the file to the log.
   void log_notes(Listener& listener) const;
 
@@ -58,6 +65,7 @@ class GraphSubject final : public Subject {
   const GraphFile* file_;
   std::string name_;
   Structure structure_;
+  std::optional<Truth> truth_;
   std::unique_ptr<Optimizer> optimizer_;
   bool has_kernels_ = false;
 };

@@ -51,6 +51,9 @@ std::vector<Message> Workspace::Reader::wait(std::chrono::milliseconds patience)
     messages.push_back(w.form_message_);
     messages.push_back(w.structure_message_);
   }
+  // A structure ends the truth before it.
+  if (std::exchange(truth_, w.truth_number_) != w.truth_number_ && w.truth_message_)
+    messages.push_back(w.truth_message_);
   if (std::exchange(frame_, w.sequence_) != w.sequence_) messages.push_back(w.frame_message_);
   return messages;
 }

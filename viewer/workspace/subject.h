@@ -62,6 +62,12 @@ class Subject {
   /// The frame at rest with the covariances of positions, or with the reason why there are none.
   virtual Message uncertain_frame(const FrameFacts& facts, Listener& listener) const = 0;
 
+  /// Compares the estimates with those of a file from now on, which frames then tell. Throws InputError,
+  /// FileError or InvalidArgument with a text for the user, and changes nothing, if this is impossible.
+  virtual void open_truth(const std::string& name, const std::string& text, Listener& listener) = 0;
+  /// The truth in the order of the structure, whose number is `structure`; nullptr if there is none.
+  virtual Message truth(std::uint64_t structure) = 0;
+
   /// Describes an element as JSON, with the number of the structure. Must be fast. Throws InvalidArgument if
   /// there is no such element.
   virtual std::string describe(const ElementName& name, std::uint64_t structure) const = 0;
@@ -82,6 +88,9 @@ class Subject {
   virtual void restore() = 0;
   /// Ends what keep_estimates() began.
   virtual void drop_estimates() = 0;
+  /// What diagnose() finds, as JSON with the number of the structure. Throws InvalidArgument if the subject
+  /// cannot be diagnosed, or if it was stopped.
+  virtual std::string diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const = 0;
   /// Where H and L have blocks. Throws as read_pattern() does.
   virtual Message pattern(const std::atomic<bool>& stop) const = 0;
   /// The graph as a file. Throws InvalidArgument if the format cannot contain it.

@@ -44,7 +44,8 @@ class Workspace final : private Listener {
 
   /// Replaces the graph. `name` is shown to the user. Throws Busy while a command is carried out.
   void show(std::unique_ptr<Subject> subject);
-  void show(GraphFile file, const std::string& name);
+  /// Throws as GraphSubject::set_truth() does if there is a truth.
+  void show(GraphFile file, const std::string& name, std::optional<Truth> truth = {});
 
   /// These throw Busy while another command is carried out, and InvalidArgument if there is no graph, or if a
   /// setting is wrong.
@@ -60,6 +61,10 @@ class Workspace final : private Listener {
   /// Reads a file and replaces the graph. If this fails, the graph stays, and the state has the message.
   /// Throws Busy while another command is carried out.
   void open(std::string name, std::string text);
+  /// Reads a file with the truth of the graph, which frames then have, until another graph is opened. If this
+  /// fails, the truth before it stays, and the state has the message. Throws as open() does, and
+  /// InvalidArgument if there is no graph.
+  void open_truth(std::string name, std::string text);
   /// Throws Busy while a command is carried out.
   void expect_idle() const;
   /// Asks the run to stop. Its best estimates are kept.
@@ -77,6 +82,10 @@ class Workspace final : private Listener {
   /// out, and InvalidArgument if there is no graph, if its structure has another number, or if it has no such
   /// element.
   std::string describe(std::uint64_t structure, const ElementName& name) const;
+
+  /// Returns what diagnose() finds at the current estimates, as JSON. Throws Busy while a command is carried
+  /// out, and InvalidArgument if there is no graph, if it cannot be diagnosed, or if it was stopped.
+  std::string diagnosis();
 
   /// Returns where H and L have blocks. Throws Busy while a command is carried out, and InvalidArgument if
   /// there is no graph, if it is too large, or if it was stopped.
@@ -117,14 +126,14 @@ class Workspace final : private Listener {
 
     Workspace& workspace_;
     std::string greeting_;
-    std::uint64_t version_ = 0, structure_ = 0, frame_ = 0;  ///< the last ones that were returned
+    std::uint64_t version_ = 0, structure_ = 0, truth_ = 0, frame_ = 0;  ///< the last that were returned
     int run_ = 0;
     std::size_t rows_ = 0, lines_ = 0;
   };
 
  private:
   struct Job {
-    enum class Kind : std::uint8_t { kNone, kRun, kStep, kGuess, kCovariances, kReset, kOpen };
+    enum class Kind : std::uint8_t { kNone, kRun, kStep, kGuess, kCovariances, kReset, kOpen, kOpenTruth };
     Kind kind = Kind::kNone;
     Settings settings = {};
     std::string name = {}, text = {};  ///< of the file to open; or the name of the initial guess
@@ -138,6 +147,8 @@ class Workspace final : private Listener {
   void log(const char* level, std::string text) override;
   const std::atomic<bool>& stop_flag() const override { return stop_; }
 
+  static constexpr const char* kRunning = "running";  ///< Outcome::status before the end of a run
+
   static const char* activity_of(Job::Kind kind);
   void claim(bool needs_graph);
   void work_here(bool needs_graph, const char* activity, const std::function<void()>& work);
@@ -147,6 +158,8 @@ class Workspace final : private Listener {
   void carry_out(const Job& job);
   void replace(std::unique_ptr<Subject> subject);
   void read(const Job& job);
+  void read_truth(const Job& job);
+  void set_truth(Message truth);
   void begin_run();
   void make_guess(const std::string& start);
   void restore();
@@ -175,8 +188,8 @@ class Workspace final : private Listener {
   Job job_;
   bool is_busy_ = false, is_held_ = false;
   const char* activity_ = "";
-  std::uint64_t version_ = 1, graph_number_ = 0, structure_number_ = 0, sequence_ = 0;
-  Message form_message_, structure_message_, frame_message_;
+  std::uint64_t version_ = 1, graph_number_ = 0, structure_number_ = 0, truth_number_ = 0, sequence_ = 0;
+  Message form_message_, structure_message_, truth_message_, frame_message_;
   std::optional<Subject::Facts> facts_;
   std::string error_;
   double chi2_ = 0, chi2_initial_ = 0;

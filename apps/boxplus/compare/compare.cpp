@@ -12,6 +12,7 @@
 #include "files/format_names.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
+#include "files/trajectory_input.h"
 
 namespace boxplus::app {
 namespace {
@@ -47,10 +48,12 @@ struct CompareArguments {
 Comparison compare(const CompareArguments& arguments) {
   const Trajectory result = read_trajectory(arguments.result, arguments.reading);
   const Trajectory truth = read_trajectory(arguments.truth, arguments.reading);
-  const auto [pairs, matched_by] = matched(result, truth, arguments.most_seconds);
+  const PosePairs matched = matched_poses(result, truth, arguments.most_seconds);
+  const std::vector<PosePair>& pairs = matched.pairs;
   if (pairs.empty()) {
     throw FileError(fmt::format("{}: expected poses that match {} by {}, found none",
-                                input_name(arguments.result), input_name(arguments.truth), matched_by));
+                                input_name(arguments.result), input_name(arguments.truth),
+                                matched.matched_by));
   }
   Comparison comparison;
   comparison.result = input_name(arguments.result);
@@ -58,9 +61,9 @@ Comparison compare(const CompareArguments& arguments) {
   comparison.result_poses = result.poses.size();
   comparison.truth_poses = truth.poses.size();
   comparison.matched = pairs.size();
-  comparison.matched_by = matched_by;
+  comparison.matched_by = matched.matched_by;
   comparison.kind = arguments.alignment;
-  comparison.alignment = align(pairs, truth.dimension, arguments.alignment, arguments.scale);
+  comparison.alignment = align_poses(pairs, truth.dimension, arguments.alignment, arguments.scale);
   comparison.span = arguments.span;
   comparison.absolute = absolute_error(pairs, comparison.alignment);
   comparison.relative = relative_error(pairs, comparison.alignment.scale, arguments.span);

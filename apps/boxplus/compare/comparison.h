@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compare/trajectory_errors.h"
+#include "trajectory/trajectory_errors.h"
 
 namespace boxplus::app {
 

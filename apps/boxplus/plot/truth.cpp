@@ -2,23 +2,20 @@
 #include "plot/truth.h"
 
 #include "boxplus/base/error.h"
-#include "compare/alignment.h"
-#include "compare/matching.h"
 #include "files/graph_input.h"
+#include "files/trajectory_input.h"
+#include "trajectory/alignment.h"
+#include "trajectory/matching.h"
 
 namespace boxplus::app {
 
 TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
                        const ReadOptions& reading) {
-  const Trajectory places = read_trajectory(truth, reading);
-  if (places.is_timed()) {
-    throw FileError(input_name(truth) +
-                    ": expected a graph (poses with ids), got a TUM file (poses with timestamps)");
-  }
-  const std::vector<PosePair> pairs = matched(places, trajectory_of(graph, name), 0).pairs;
+  const Trajectory places = trajectory_of(read_truth(truth, reading), input_name(truth));
+  const std::vector<PosePair> pairs = matched_poses(places, trajectory_of(graph, name), 0).pairs;
   if (pairs.empty())
     throw FileError(input_name(truth) + ": expected poses with the same ids as in " + name + ", found none");
-  const Alignment onto_graph = align(pairs, places.dimension, AlignmentKind::kRigid, false);
+  const Alignment onto_graph = align_poses(pairs, places.dimension, AlignmentKind::kRigid, false);
   TruePlaces result;
   for (const TrajectoryPose& pose : places.poses) {
     const Vector3 place = onto_graph(pose).position;

@@ -11,7 +11,7 @@ namespace boxplus::app {
 
 /// Returns the positions of the poses in the graph file `truth`. Aligns them with the poses of `graph` that
 /// have the same ids, like `boxplus compare`. Messages call the graph `name`. Throws the same exceptions as
-/// read_trajectory(), and FileError if the two graphs have no id in common.
+/// read_truth() and trajectory_of(), and FileError if the two graphs have no id in common.
 TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
                        const ReadOptions& reading);
 

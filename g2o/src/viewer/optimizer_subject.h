@@ -33,6 +33,9 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   boxplus::viewer::Message frame(const boxplus::viewer::FrameFacts& facts, bool at_rest) const override;
   boxplus::viewer::Message uncertain_frame(const boxplus::viewer::FrameFacts& facts,
                                            boxplus::viewer::Listener& listener) const override;
+  void open_truth(const std::string& name, const std::string& text,
+                  boxplus::viewer::Listener& listener) override;
+  boxplus::viewer::Message truth(std::uint64_t /*structure*/) override { return nullptr; }
   std::string describe(const boxplus::viewer::ElementName& name, std::uint64_t structure) const override;
   std::string edit(const boxplus::viewer::Edit& edit) override;
   void check(const boxplus::viewer::Settings& settings) const override;
@@ -44,6 +47,7 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   void keep_estimates() override;
   void restore() override;
   void drop_estimates() override;
+  std::string diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const override;
   boxplus::viewer::Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 

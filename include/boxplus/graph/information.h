@@ -62,6 +62,11 @@ class Information {
   template <class Derived>
   Information(const Eigen::MatrixBase<Derived>& matrix) : Information(from_matrix(matrix)) {}
   static Information diagonal(std::span<const double> values);
+  /// Of an error with the tangent of SE3, such as that of Between<SE3> and Prior<SE3>, from the standard
+  /// deviations of each coordinate of the translation (meters) and of the rotation around each axis
+  /// (radians). The last three rows of the error are the vector part of a quaternion, which measures half the
+  /// angle. So their information is 4/σ². Throws InvalidArgument unless both are positive and finite.
+  static Information se3_sigmas(double translation, double rotation);
   /// From n(n+1)/2 values, row by row. Diagonal matrices and multiples of I are detected and stored as such.
   static Information upper_triangle(std::span<const double> values, int rows);
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <iosfwd>
 
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/angle.h"
@@ -66,6 +67,9 @@ class BasicS2 {
 };
 
 using S2 = BasicS2<double>;
+
+/// Prints "S2(0, 0, 1)": the name and the unit vector.
+std::ostream& operator<<(std::ostream& out, const S2& x);
 
 /// ⊞ moves |δ| radians along the great circle that leaves x in direction B δ (B = tangent_basis). ⊟ is its
 /// inverse; for opposite directions, it returns one of the shortest paths.

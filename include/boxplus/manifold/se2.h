@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <iosfwd>
 #include <string_view>
 
 #include "boxplus/base/matrix.h"
@@ -38,6 +39,14 @@ class BasicSE2 {
   static BasicSE2 from_vector(const Eigen::MatrixBase<Derived>& v) {
     return {S(v[0]), S(v[1]), S(v[2])};
   }
+  /// The exponential of (υ_x, υ_y, ω), in meters and radians: the pose after one unit of time of a body that
+  /// moves with the constant velocity υ and the constant angular velocity ω, both in its own frame. This is
+  /// not ⊞, whose translation does not turn with the body.
+  template <class Derived>
+  static BasicSE2 exp(const Eigen::MatrixBase<Derived>& tangent) {
+    const auto [a, b] = arc(S(tangent[2]));
+    return {a * tangent[0] - b * tangent[1], b * tangent[0] + a * tangent[1], S(tangent[2])};
+  }
 
   const S& x() const { return coefficients_[0]; }
   const S& y() const { return coefficients_[1]; }
@@ -55,6 +64,13 @@ class BasicSE2 {
     Matrix<S, 2, 2> r;
     r << c, -s, s, c;
     return r;
+  }
+
+  /// The inverse of exp(), with ω in (−π, π].
+  Vector<S, 3> log() const {
+    const auto [a, b] = arc(theta());
+    const S f = 1.0 / (a * a + b * b);
+    return {f * (a * x() + b * y()), f * (a * y() - b * x()), theta()};
   }
 
   BasicSE2 inverse() const {
@@ -102,6 +118,16 @@ class BasicSE2 {
  private:
   template <class T>
   friend class BasicSE2;
+  /// sin θ / θ and (1 − cos θ) / θ.
+  static std::array<S, 2> arc(const S& theta) {
+    using std::cos;
+    using std::sin;
+    const S t = theta * theta;
+    if (t < S(detail::kSmallSquaredAngle))
+      return {1.0 - t * (1.0 / 6.0 - t * (1.0 / 120.0 - t * (1.0 / 5040.0))),
+              theta * (0.5 - t * (1.0 / 24.0 - t * (1.0 / 720.0 - t * (1.0 / 40320.0))))};
+    return {sin(theta) / theta, (1.0 - cos(theta)) / theta};
+  }
   /// For callers that know the cosine and sine of the heading.
   BasicSE2(const S& x, const S& y, const S& theta, const S& cos_theta, const S& sin_theta)
       : coefficients_{x, y, detail::normalize_angle(theta), cos_theta, sin_theta} {}
@@ -110,6 +136,9 @@ class BasicSE2 {
 };
 
 using SE2 = BasicSE2<double>;
+
+/// Prints "SE2(1, 2, 0.5)": the name, and x y θ.
+std::ostream& operator<<(std::ostream& out, const SE2& x);
 
 /// ⊞ is motion composition (the g2o document, eq. 36): t += R(θ) Δt, θ = wrap(θ + Δθ).
 /// y ⊟ x = (R(θx)ᵀ (ty − tx), wrap(θy − θx)).

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <iosfwd>
 #include <string_view>
 #include <type_traits>
 
 #include "boxplus/manifold/manifold.h"
+#include "boxplus/manifold/sim3_exponential.h"
 #include "boxplus/manifold/so3.h"
 
 namespace boxplus {
@@ -34,6 +36,9 @@ class BasicSE3 {
   template <class Derived>
   BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Matrix<S, 3, 3>& rotation)
       : BasicSE3(translation, detail::quaternion_of(rotation)) {}
+  template <class Derived, class Q>
+  BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Eigen::QuaternionBase<Q>& q)
+      : BasicSE3(translation, Quaternion{S(q.x()), S(q.y()), S(q.z()), S(q.w())}) {}
 
   /// q must be a unit quaternion.
   template <class Derived>
@@ -46,6 +51,18 @@ class BasicSE3 {
   template <class Derived>
   static BasicSE3 from_vector(const Eigen::MatrixBase<Derived>& v) {
     return BasicSE3(v.template head<3>(), Quaternion{S(v[3]), S(v[4]), S(v[5]), S(v[6])});
+  }
+  /// The exponential of (υ, ω), in meters and radians: the pose after one unit of time of a body that moves
+  /// with the constant velocity υ and the constant angular velocity ω, both in its own frame. This is not ⊞,
+  /// whose translation does not turn with the body. The translation is V υ (Barfoot, "State Estimation for
+  /// Robotics", 2017, eq. 7.85).
+  template <class Derived>
+  static BasicSE3 exp(const Eigen::MatrixBase<Derived>& tangent) {
+    const Vector<S, 6> v = tangent;
+    const Vector<S, 3> omega = v.template tail<3>();
+    const auto coupling = detail::Sim3Coupling<S>::of(S(0), omega.squaredNorm());
+    return from_unit(coupling.apply(omega, v.template head<3>()),
+                     detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]));
   }
   /// The inverse of minimal().
   template <class Derived>
@@ -67,6 +84,14 @@ class BasicSE3 {
     Vector<S, 6> e;
     e << coefficients_[0], coefficients_[1], coefficients_[2], v[0], v[1], v[2];
     return e;
+  }
+  /// The inverse of exp(), with |ω| ≤ π.
+  Vector<S, 6> log() const {
+    const Vector<S, 3> omega = detail::RotationVectorChart::log(quaternion());
+    const S theta2 = omega.squaredNorm();
+    Vector<S, 6> tangent;
+    tangent << detail::Sim3Coupling<S>::of(S(0), theta2).inverse(theta2).apply(omega, translation()), omega;
+    return tangent;
   }
   /// x y z qx qy qz qw, contiguous.
   const S* data() const { return coefficients_.data(); }
@@ -119,6 +144,10 @@ class BasicSE3 {
 
 using SE3 = BasicSE3<double>;
 using SE3RotationVector = BasicSE3<double, detail::RotationVectorChart>;
+
+/// Prints "SE3(1, 2, 3, 0, 0, 0, 1)": the name, and x y z qx qy qz qw.
+std::ostream& operator<<(std::ostream& out, const SE3& x);
+std::ostream& operator<<(std::ostream& out, const SE3RotationVector& x);
 
 /// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart. Exp returns a unit quaternion,
 /// and ⊞ does not normalize the product, so a step does not change the norm of the quaternion. This matters

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <iosfwd>
 
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/rotation_charts.h"
@@ -99,6 +100,9 @@ class BasicSim3 {
 };
 
 using Sim3 = BasicSim3<double>;
+
+/// Prints "Sim3(1, 2, 3, 0, 0, 0, 1, 2)": the name, and x y z qx qy qz qw s.
+std::ostream& operator<<(std::ostream& out, const Sim3& x);
 
 /// x ⊞ δ = x · Exp(δ); y ⊟ x = Log(x⁻¹ y).
 template <class S>

@@ -2,6 +2,7 @@
 // Rotations in the plane.
 #pragma once
 
+#include <iosfwd>
 #include <string_view>
 
 #include "boxplus/base/matrix.h"
@@ -58,6 +59,9 @@ class BasicSO2 {
 };
 
 using SO2 = BasicSO2<double>;
+
+/// Prints "SO2(0.5)": the name and the angle.
+std::ostream& operator<<(std::ostream& out, const SO2& x);
 
 template <class S>
 struct Manifold<BasicSO2<S>> {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <iosfwd>
 #include <string_view>
 #include <type_traits>
 
@@ -72,6 +73,10 @@ class BasicSO3 {
 
 using SO3 = BasicSO3<double>;
 using SO3RotationVector = BasicSO3<double, detail::RotationVectorChart>;
+
+/// Prints "SO3(0, 0, 0, 1)": the name, and qx qy qz qw.
+std::ostream& operator<<(std::ostream& out, const SO3& x);
+std::ostream& operator<<(std::ostream& out, const SO3RotationVector& x);
 
 /// R ⊞ δ = R · Exp(δ), with the Exp of the chart; S ⊟ R = Log(Rᵀ S).
 template <class S, class Chart>

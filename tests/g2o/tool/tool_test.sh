@@ -148,7 +148,7 @@ lines 6 plot_landmarks_edges
 lines 9 plot_odom_edges
 
 # -listTypes, -renameTypes, standard input (plugin_test.sh tests -typeslib and -solverlib)
-for type in VERTEX_SE2 EDGE_SIM3:EXPMAP VERTEX_PLANE EDGE_V_V_GICP VERTEX_CAM; do expect 0 "$type" -listTypes; done
+for type in VERTEX_SE2 EDGE_SE2_SEGMENT2D EDGE_SE2_CALIB EDGE_SIM3:EXPMAP VERTEX_PLANE EDGE_V_V_GICP VERTEX_CAM; do expect 0 "$type" -listTypes; done
 sed 's/VERTEX_XY/POINT/; s/EDGE_SE2_XY/SEEN/' square.g2o > renamed.g2o
 expect 0 "final chi2 = 0.00189884" -renameTypes POINT=VERTEX_XY,SEEN=EDGE_SE2_XY renamed.g2o
 expect 0 "expected old=new, got POINT" -renameTypes POINT square.g2o

@@ -3,17 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "g2o/core/factory.h"
 #include "g2o/core/hyper_graph_action.h"
 #include "g2o/core/sparse_optimizer.h"
-#include "g2o/core/svg_drawing.h"
 #include "g2o/types/drawn.h"
 #include "g2o/types/slam2d/types_slam2d.h"
 #include "g2o/types/slam3d/types_slam3d.h"
@@ -250,56 +247,6 @@ TEST(Actions, UserActionsAreAppliedOnlyWhileTheyAreRegistered) {
   }
   g2o::applyAction(graph.get(), action("count"), &parameters);
   EXPECT_EQ(parameters.poses, 4);
-}
-
-std::string svg(const std::string& graph) {
-  g2o::SvgDrawing picture(400);
-  g2o::DrawAction::Parameters parameters;
-  parameters.drawing = &picture;
-  g2o::applyAction(read(graph).get(), action("draw"), &parameters);
-  picture.text(g2o::Vector3(0, 0, 0), "a < b & c", g2o::Color(), 0.2);
-  std::ostringstream out;
-  EXPECT_TRUE(picture.write(out));
-  return out.str();
-}
-
-TEST(SvgDrawing, DrawsSmallGraphs) {
-  for (const auto& [graph, name] : {std::pair(kPlane, "plane.svg"), {kSpace, "space.svg"}}) {
-    const std::string picture = svg(graph);
-    EXPECT_EQ(count(picture, "<svg "), 1);
-    EXPECT_EQ(count(picture, "</svg>"), 1);
-    EXPECT_THAT(picture, HasSubstr(">a &lt; b &amp; c</text>"));
-    EXPECT_THAT(picture, Not(HasSubstr("nan")));
-    std::ofstream(::testing::TempDir() + name) << picture;
-  }
-}
-
-TEST(SvgDrawing, ShowsPlanarGraphsFromAboveWithTheYAxisUp) {
-  g2o::SvgDrawing picture(124);  // 100 pixels between the margins
-  picture.point(g2o::Vector3(0, 0, 0), g2o::Color{1, 0, 0, 1}, 4);
-  picture.point(g2o::Vector3(2, 1, 0), g2o::Color{1, 0, 0, 1}, 4);
-  std::ostringstream out;
-  ASSERT_TRUE(picture.write(out));
-  EXPECT_THAT(out.str(), HasSubstr("width=\"124\" height=\"74\""));
-  EXPECT_THAT(out.str(), HasSubstr("M12.0 62.0h0M112.0 12.0h0"));
-  EXPECT_THAT(out.str(), HasSubstr("stroke=\"#ff0000\""));
-}
-
-TEST(SvgDrawing, RotatesTheViewAndSkipsPointsWithInfiniteCoordinates) {
-  g2o::SvgDrawing picture(124);
-  EXPECT_TRUE(picture.empty());
-  picture.line(g2o::Vector3(0, 0, 0), g2o::Vector3(0, 0, 2), g2o::Color(), 1);
-  picture.point(g2o::Vector3(0, INFINITY, 0), g2o::Color(), 4);
-  g2o::Matrix3 from_the_side;
-  from_the_side << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // the z axis of the world points to the right
-  picture.setView(from_the_side);
-  std::ostringstream out;
-  ASSERT_TRUE(picture.write(out));
-  EXPECT_THAT(out.str(), HasSubstr("M12.0 12.0L112.0 12.0"));
-  picture.clear();
-  EXPECT_TRUE(picture.empty());
-  EXPECT_TRUE(picture.write(out));
-  EXPECT_FALSE(picture.save("/no/such/folder/x.svg"));
 }
 
 }  // namespace

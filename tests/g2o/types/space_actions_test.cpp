@@ -3,12 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <typeinfo>
 
 #include "g2o/core/factory.h"
-#include "g2o/core/svg_drawing.h"
 #include "g2o/types/drawn.h"
 #include "g2o/types/icp/types_icp.h"
 #include "g2o/types/sba/types_six_dof_expmap.h"
@@ -184,21 +182,6 @@ TEST(SpaceActions, VerticesAreWrittenForGnuplot) {
   EXPECT_THAT(gnuplot(*read(kCameras)),
               HasSubstr("0 0 0 0 0 0\n1 0 0 0 0 0\n0 0 0 0 0 0\n1 0 0 0 0 0\n0.5 0 2\n"));
   EXPECT_THAT(gnuplot(*read(kSimilarities)), HasSubstr("1 0 0 0 0 0 1\n0.5 0 2\n"));
-}
-
-TEST(SpaceActions, AllGraphsAreDrawnAsSvg) {
-  int number = 0;
-  for (const std::string& text : {kPlanes, kCameras, kSimilarities, kScans}) {
-    g2o::SvgDrawing picture(400);
-    g2o::DrawAction::Parameters parameters;
-    parameters.drawing = &picture;
-    g2o::applyAction(read(text).get(), action("draw"), &parameters);
-    std::ostringstream out;
-    EXPECT_TRUE(picture.write(out));
-    EXPECT_EQ(count(out.str(), "nan"), 0);
-    EXPECT_GT(count(out.str(), "<path "), 0);
-    std::ofstream(::testing::TempDir() + "space" + std::to_string(number++) + ".svg") << out.str();
-  }
 }
 
 }  // namespace

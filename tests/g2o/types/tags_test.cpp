@@ -10,6 +10,8 @@
 #include "g2o/stuff/logger.h"
 
 G2O_USE_TYPE_GROUP(slam2d);
+G2O_USE_TYPE_GROUP(slam2d_segment);
+G2O_USE_TYPE_GROUP(sclam);
 G2O_USE_TYPE_GROUP(slam3d);
 G2O_USE_TYPE_GROUP(slam3d_addons);
 G2O_USE_TYPE_GROUP(sba);

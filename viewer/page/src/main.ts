@@ -6,6 +6,7 @@ import { Banners } from "./panels/banners";
 import { Chart } from "./panels/chart";
 import { Commands } from "./panels/commands";
 import { Covariances } from "./panels/covariances";
+import { DiagnosisPanel } from "./panels/diagnosis";
 import { Display } from "./panels/display";
 import { byId, setText } from "./panels/dom";
 import { ElementPanel } from "./panels/element";
@@ -21,6 +22,7 @@ import { Shortcuts } from "./panels/shortcuts";
 import { Tabs } from "./panels/tabs";
 import { TimeLinePanel } from "./panels/time_line_panel";
 import { TopBar } from "./panels/top_bar";
+import { TruthErrors } from "./panels/truth_errors";
 import { Connection } from "./protocol/connection";
 import type { Frame, Message } from "./protocol/messages";
 import { savedMessages } from "./protocol/saved_stream";
@@ -45,11 +47,12 @@ function main(): void {
   const tools = view && new PictureTools(view, model, banners);
   const display = view && new Display(view);
   const chart = new Chart(model);
-  const time_line = view && new TimeLinePanel(model, view, chart);
+  const truth_errors = new TruthErrors();
+  const time_line = view && new TimeLinePanel(model, view, chart, truth_errors);
   new TopBar(model);
   new Tabs();
   window.boxplus = { model, view, time_line };
-  const show = (message: Message) => receive(message, model, view, time_line);
+  const show = (message: Message) => receive(message, { model, view, time_line, truth_errors });
   const shortcuts = shortcutGroups(tools, time_line);
   const saved = byId("saved-stream").textContent!;
   if (saved === "") {
@@ -69,15 +72,22 @@ function serve(
   const connection = new Connection({
     onMessage: (message) => {
       show(message);
-      if (message.kind === "structure") element?.setStructure(message.structure);
-      if (message.kind === "frame") element?.setFrame();
+      if (message.kind === "structure") {
+        element?.setStructure(message.structure);
+        diagnosis?.setStructure(message.structure.structure);
+      }
+      if (message.kind === "frame") {
+        element?.setFrame();
+        diagnosis?.setFrame();
+      }
     },
     onConnection: (state) => model.setConnection(state),
   });
   const commands = new Commands(banners);
   const element = view && new ElementPanel(model, connection, commands, view);
+  const diagnosis = element && new DiagnosisPanel(model, connection, commands, element);
   const values = new SettingValues();
-  new Files(model, connection, commands, banners);
+  new Files(model, connection, commands, banners, display?.open_truth ?? null);
   new RunBar(model, connection, values, commands);
   new SettingsForm(model, values);
   new Guess(model, connection, commands);
@@ -90,16 +100,29 @@ function serve(
   void connection.run();
 }
 
-function receive(message: Message, model: Model, view: SceneView | null, time_line: TimeLinePanel | null): void {
+interface Receivers {
+  model: Model;
+  view: SceneView | null;
+  time_line: TimeLinePanel | null;
+  truth_errors: TruthErrors;
+}
+
+function receive(message: Message, { model, view, time_line, truth_errors }: Receivers): void {
   if (message.kind === "state") model.apply(message.state);
   if (message.kind === "form") model.setForm(message.form);
   if (message.kind === "structure") {
     view?.setStructure(message.structure);
     time_line?.setStructure(message.structure);
+    truth_errors.setTruth(null);
     setText(byId("hint"), hint(message.structure.dimension));
   }
+  if (message.kind === "truth") {
+    view?.setTruth(message.truth);
+    truth_errors.setTruth(message.truth);
+  }
   if (message.kind === "frame") {
-    time_line?.add(message.frame);
+    if (time_line) time_line.add(message.frame);
+    else truth_errors.show(message.frame, false);
     if (isInitial(message.frame, model) && view?.knowsInitial === false) view.setInitial(message.frame);
   }
 }

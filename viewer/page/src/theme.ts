@@ -14,6 +14,8 @@ export interface Theme {
   fixed: Color;
   /** The estimates of the file, under the current ones. */
   before: Color;
+  /** The true estimates, under the current ones. */
+  truth: Color;
   uncertainty: Color;
   odometry: Color;
   loop_closure: Color;
@@ -44,6 +46,7 @@ export function currentTheme(): Theme {
     landmark: color("--landmark"),
     fixed: color("--fixed"),
     before: color("--before"),
+    truth: color("--truth"),
     uncertainty: color("--uncertainty"),
     odometry: color("--odometry"),
     loop_closure: color("--loop-closure"),
@@ -72,11 +75,13 @@ export function typeColor(theme: Theme, group: VertexGroup | EdgeGroup): Color {
 }
 
 /** The color of each class. */
-export function classColors({ ramp, distinct }: Theme, { scale, classes }: Coloring): Color[] {
+export function classColors({ ramp, distinct }: Theme, { scale, has_rest, classes }: Coloring): Color[] {
   if (scale === "distinct") return distinct.slice(0, classes.length);
   const [low, middle, high] = ramp;
+  const last = classes.length - (has_rest ? 2 : 1);
   return classes.map((_, i) => {
-    const place = classes.length > 1 ? (2 * i) / (classes.length - 1) : 0;
+    if (i > last) return distinct[MOST_CLASSES - 1]!;
+    const place = last > 0 ? (2 * i) / last : 0;
     return place < 1 ? low.clone().lerp(middle, place) : middle.clone().lerp(high, place - 1);
   });
 }

@@ -23,16 +23,16 @@ export function fail(sentence) {
 
 /**
  * Runs a test whose arguments are the path of boxplus and the folder of the data. `makeFile` gets both, and returns the path of
- * the graph.
+ * the graph. `options` are further arguments of `boxplus view`.
  */
-export async function runTest(makeFile, test) {
+export async function runTest(makeFile, test, options = () => []) {
   const [boxplus, data] = process.argv.slice(2);
   if (!data) fail(`usage: node ${process.argv[1]} PATH_TO_BOXPLUS DATA_FOLDER`);
   const file = makeFile(boxplus, data);
   const browser = await startBrowser();
   let viewer;
   try {
-    viewer = await startViewer(boxplus, file);
+    viewer = await startViewer(boxplus, file, ...options());
     await test(viewer.url, browser);
     await step("Ctrl-C ends the viewer with exit code 0", async () => {
       const code = await viewer.stop();
@@ -147,7 +147,7 @@ export async function pictureAtRest(page) {
   return picture(page);
 }
 
-async function startBrowser() {
+export async function startBrowser() {
   const playwright = await import("playwright-core").catch(() =>
     skip("node_modules of viewer/page are missing; scripts/page_tools.sh installs them"));
   const executable = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, "chromium")).find(isExecutable);
@@ -156,8 +156,8 @@ async function startBrowser() {
 }
 
 /** Starts `boxplus view`, which prints its URL. */
-async function startViewer(boxplus, file) {
-  const process_of_viewer = spawn(boxplus, ["view", file, "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+export async function startViewer(boxplus, file, ...options) {
+  const process_of_viewer = spawn(boxplus, ["view", file, "--port", "0", ...options], { stdio: ["ignore", "pipe", "inherit"] });
   const exit = new Promise((resolve, reject) => {
     process_of_viewer.on("exit", (code, signal) => resolve(code ?? signal));
     process_of_viewer.on("error", reject);

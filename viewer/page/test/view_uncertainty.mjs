@@ -36,6 +36,15 @@ for (const world of ["manhattan", "sphere"]) {
       await page.click("#vertices-0");
     });
 
+    await step("vertices are colored by them", async () => {
+      const by_type = await picture(page);
+      await page.selectOption("#color-mode", "uncertainty");
+      if ((await picture(page)).hash === by_type.hash) fail("the uncertainties do not change the picture");
+      const counts = (await page.locator("#legend .number").allTextContents()).map(Number);
+      expectEqual(counts.reduce((sum, each) => sum + each, 0), 100);
+      if (counts.filter((each) => each > 0).length < 4) fail(`the classes have ${counts} vertices`);
+    });
+
     await step("they vanish with the estimates to which they belong", async () => {
       await page.focus("#scene");
       await page.keyboard.press("<");
@@ -44,6 +53,7 @@ for (const world of ["manhattan", "sphere"]) {
       await waitForText(page, "uncertainty-note", "Covariances");
       await page.click("#reset");
       await waitUntil(page, () => document.getElementById("uncertainty-note").hidden);
+      await waitForText(page, "legend", "Compute the uncertainty first.");
     });
 
     await step("no error and no request to another host", () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface through which the action "draw" draws shapes. SvgDrawing implements the interface for SVG
-// files. A viewer can implement the same four functions.
+// The interface through which the action "draw" draws shapes. g2o::Viewer (g2o/viewer/viewer.h) shows them in
+// a browser.
 #pragma once
 #ifndef G2O_DRAWING_H
 #define G2O_DRAWING_H

@@ -2,6 +2,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/types/slam2d/types_slam2d.h"
 #include "types/actions.h"
+#include "types/slam2d/lift.h"
 
 namespace g2o {
 
@@ -9,18 +10,8 @@ G2O_REGISTER_TYPE_GROUP(slam2d_actions)
 
 namespace {
 
+using internal::lift;
 using internal::Sketch;
-
-Vector3 lift(const Vector2& p) {
-  return {p.x(), p.y(), 0};
-}
-
-Isometry3 lift(const SE2& x) {
-  Isometry3 pose = Isometry3::Identity();
-  pose.linear() = AngleAxis(x.rotation().angle(), Vector3::UnitZ()).toRotationMatrix();
-  pose.translation() = lift(x.translation());
-  return pose;
-}
 
 struct Slam2d {
   static constexpr int kDimension = 2;

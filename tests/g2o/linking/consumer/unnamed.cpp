@@ -6,8 +6,9 @@
 
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/types/sba/types_six_dof_expmap.h"
+#include "g2o/types/sclam2d/types_sclam2d.h"
 #include "g2o/types/sim3/types_seven_dof_expmap.h"
-#include "g2o/types/slam2d/types_slam2d.h"
+#include "g2o/types/slam2d_addons/types_slam2d_addons.h"
 #include "g2o/types/slam3d_addons/types_slam3d_addons.h"
 
 template <class V>
@@ -21,6 +22,8 @@ void add(g2o::SparseOptimizer& optimizer) {
 int main() {
   g2o::SparseOptimizer optimizer, again;
   add<g2o::VertexSE2>(optimizer);
+  add<g2o::VertexSegment2D>(optimizer);
+  add<g2o::VertexOdomDifferentialParams>(optimizer);
   add<g2o::VertexSE3>(optimizer);
   add<g2o::VertexPlane>(optimizer);
   add<g2o::VertexSE3Expmap>(optimizer);
@@ -28,5 +31,5 @@ int main() {
   std::stringstream file;
   const bool saved = optimizer.save(file), loaded = again.load(file);
   std::printf("saved %d, loaded %d, %zu vertices\n", saved, loaded, again.vertices().size());
-  return saved && loaded && again.vertices().size() == 5 ? 0 : 1;
+  return saved && loaded && again.vertices().size() == 7 ? 0 : 1;
 }

@@ -30,7 +30,7 @@ export class Banners {
     const error = state?.error ?? "";
     if (error === "") this.dismissed = "";
     setTextOrHide(byId("connection-error"), connection.connected ? "" : connection.problem);
-    show("file-error", error === "" || error === this.dismissed ? "" : `The file could not be read.\n${error}`);
+    show("file-error", error === "" || error === this.dismissed ? "" : `The file was not opened.\n${error}`);
   }
 
   private onDismiss(id: string, dismiss: () => void): void {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the picture shows: types of vertices and edges, the filter of points, sizes, and the background.
 import { count, counted, general } from "../format";
-import { isSameKind, type Structure, type VertexGroup } from "../protocol/messages";
+import { isSameKind, type Structure, type Truth, type VertexGroup } from "../protocol/messages";
 import { type DisplayOptions, defaultOptions, styleOf } from "../scene/display_options";
 import type { ColorMode } from "../scene/coloring";
 import type { GraphScene } from "../scene/graph_scene";
@@ -17,6 +17,7 @@ const COLOR_MODE_NAMES: Record<ColorMode, string> = {
   type: "Type",
   degree: "Degree (number of edges)",
   component: "Connected component",
+  uncertainty: "Uncertainty (1σ)",
 };
 const MOST_TRACK_LENGTH = 20;
 /** The slider of errors is logarithmic: powers of 10. */
@@ -30,6 +31,10 @@ export class Display {
   private readonly hidden_text = create("p", { id: "hidden-points", className: "dim" });
   private readonly initial_text = create("p", { id: "initial-unknown", className: "dim" },
     "This page does not know them any more. Reset brings them back.");
+  /** Opens a file with the truth; see Files. */
+  readonly open_truth = create("button",
+    { id: "open-truth", type: "button", title: "Open a file with the true estimates", disabled: true }, "Truth…");
+  private readonly truth_text = create("p", { id: "truth-note", className: "dim" });
   private readonly uncertainty_text = create("p", { id: "uncertainty-note", className: "dim" });
   /** Computes the uncertainty; see Covariances. */
   readonly compute = create("button",
@@ -43,6 +48,7 @@ export class Display {
   constructor(private readonly view: SceneView) {
     view.on_structure = (graph) => this.show(graph);
     view.on_initial = () => this.updateInitialText();
+    view.on_truth = () => this.updateTruthText();
     view.setOptions(this.options);
     // The theme has other default colors.
     onThemeChange(() => this.structure && this.build(this.structure));
@@ -92,7 +98,7 @@ export class Display {
       typeRow(`vertices-${i}`, structure, group, styleOf(this.options, group), theme));
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
     if (fixed > 0) rows.push(signRow(swatch("ring"), "Fixed", fixed));
-    return [...rows, ...this.initial(), ...this.uncertainty()];
+    return [...rows, ...this.initial(), ...this.truth(), ...this.uncertainty()];
   }
 
   private colorMode(): HTMLElement {
@@ -151,6 +157,12 @@ export class Display {
     return [box, this.initial_text];
   }
 
+  private truth(): HTMLElement[] {
+    const box = checkBox("show-truth", this.options.shows_truth, [swatch("truth"), "Truth"], "",
+      (checked) => (this.options.shows_truth = checked));
+    return [create("div", { className: "type-row needs-server" }, box, this.open_truth), this.truth_text];
+  }
+
   private uncertainty(): HTMLElement[] {
     const box = checkBox("show-uncertainty", this.options.shows_uncertainty, [swatch("uncertainty"), "Uncertainty (2σ)"], "",
       (checked) => (this.options.shows_uncertainty = checked));
@@ -169,12 +181,18 @@ export class Display {
     this.updateFilterText();
     this.updateLegend();
     this.updateInitialText();
+    this.updateTruthText();
     const { note } = this.view.shown?.uncertainty ?? { note: "" };
     setTextOrHide(this.uncertainty_text, note && `${note.charAt(0).toUpperCase()}${note.slice(1)}.`);
   }
 
   private updateInitialText(): void {
     this.initial_text.hidden = !this.options.shows_initial || this.view.knowsInitial;
+  }
+
+  private updateTruthText(): void {
+    const { truth } = this.view;
+    setTextOrHide(this.truth_text, truth ? matchText(truth) : "");
   }
 
   /** The colors of classes of vertices, and how many vertices have them. */
@@ -190,10 +208,17 @@ export class Display {
     });
     const { left_out } = this.structure!;
     const notes = [
-      ...(left_out > 0 ? ["Edges that are not drawn do not count."] : []),
+      ...this.uncertaintyNotes(),
+      ...(left_out > 0 && this.options.color_mode !== "uncertainty" ? ["Edges that are not drawn do not count."] : []),
       ...(this.options.poses_as_axes ? ["Axes keep their own colors."] : []),
     ];
     this.legend.replaceChildren(...rows, ...notes.map((note) => create("p", { className: "dim" }, note)));
+  }
+
+  private uncertaintyNotes(): string[] {
+    if (this.options.color_mode !== "uncertainty") return [];
+    if (!this.view.shown?.uncertainty) return ["Compute the uncertainty first."];
+    return ["Standard deviation of the position, in the unit of the graph."];
   }
 
   private updateFilterText(): void {
@@ -210,6 +235,13 @@ export class Display {
 function signRow(sign: HTMLElement, name: string, vertices: number): HTMLElement {
   return create("div", { className: "type-row" }, create("span", { className: "check" }, sign, name), lineNumber(vertices),
     create("span", { className: "color" }));
+}
+
+/** How much of the graph has a truth, and how much of the truth is in the graph. */
+function matchText({ name, matched_by, matched, poses, true_poses }: Truth): string {
+  const of_graph = `${count(matched)} of ${counted(poses, "pose", "poses")}`;
+  const of_truth = matched === true_poses ? "" : ` ${count(matched)} of ${count(true_poses)} true ones`;
+  return `${name}: ${of_graph} match${of_truth} by ${matched_by}.`;
 }
 
 /** The types of vertices that are more than ends of lines, with their numbers. */

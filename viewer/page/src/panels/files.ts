@@ -18,12 +18,13 @@ export class Files {
 
   constructor(
     private readonly model: Model, private readonly connection: Connection, private readonly commands: Commands,
-    private readonly banners: Banners,
+    private readonly banners: Banners, private readonly open_truth: HTMLButtonElement | null,
   ) {
     const input = byId<HTMLInputElement>("file-input");
     for (const id of ["open", "open-first"]) {
       byId(id).addEventListener("click", () => askForFile(input, (file) => this.open(file)));
     }
+    open_truth?.addEventListener("click", () => askForFile(input, (file) => this.open(file, "truth")));
     new DropTarget(() => this.whyNotNow(), {
       take: (file) => this.open(file),
       refuse: (sentence) => banners.showCommandError(sentence),
@@ -36,7 +37,7 @@ export class Files {
     model.observe(() => this.update());
   }
 
-  private open(file: File): void {
+  private open(file: File, as: "graph" | "truth" = "graph"): void {
     if (file.size > MOST_BYTES) {
       this.banners.showCommandError(`${file.name} is larger than 1 GiB. Start boxplus view with this file instead.`);
       return;
@@ -44,7 +45,7 @@ export class Files {
     void this.commands.run(`${file.name} was not opened`, async () => {
       this.setSending(`Sending ${file.name}…`);
       try {
-        await this.connection.openFile(file);
+        await this.connection.openFile(file, as);
       } finally {
         this.setSending("");
       }
@@ -73,6 +74,7 @@ export class Files {
     const { state, hasGraph, isBusy } = this.model;
     const can_open = this.whyNotNow() === "";
     byId<HTMLButtonElement>("open").disabled = byId<HTMLButtonElement>("open-first").disabled = !can_open;
+    if (this.open_truth) this.open_truth.disabled = !can_open || !hasGraph;
     byId<HTMLButtonElement>("save").disabled = !hasGraph || isBusy || !this.model.form;
     const progress = this.sending || (state?.activity === "reading" ? "Reading the file…" : "");
     setText(byId("progress"), progress);

@@ -8,6 +8,7 @@ import type { SceneView } from "../scene/scene_view";
 import { type Moment, TimeLine } from "../time_line";
 import type { Chart } from "./chart";
 import { byId, setText } from "./dom";
+import type { TruthErrors } from "./truth_errors";
 
 const CHI2_DIGITS = 9;
 /** Playing a run takes about this time, unless its pictures would be too fast or too slow. */
@@ -23,7 +24,10 @@ export class TimeLinePanel {
   private chosen: Moment | null = null;
   private play_timer = 0;
 
-  constructor(private readonly model: Model, private readonly view: SceneView, private readonly chart: Chart) {
+  constructor(
+    private readonly model: Model, private readonly view: SceneView, private readonly chart: Chart,
+    private readonly truth_errors: TruthErrors,
+  ) {
     this.slider.addEventListener("input", () => {
       this.pause();
       this.goTo(this.slider.valueAsNumber);
@@ -126,6 +130,7 @@ export class TimeLinePanel {
     this.slider.max = String(Math.max(1, last));
     this.slider.value = String(last < 1 ? 1 : index);
     this.showTexts(moment);
+    this.truth_errors.show(moment.frame, this.chosen !== null);
     this.chart.mark(last < 1 ? null : placeOf(moment.iteration, this.rows));
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns payloads into messages. The arrays are views of the payload; nothing is copied.
-import type { Form, Frame, Message, Pattern, StateMessage, Structure, Uncertainty } from "./messages";
+import type { Form, Frame, Message, Pattern, StateMessage, Structure, Truth, Uncertainty } from "./messages";
 import type { RawMessage } from "./framing";
 
 interface ArrayEntry {
@@ -26,6 +26,8 @@ export function decode(message: RawMessage): Message | null {
       return { kind: "form", form: parseJson(message.payload) as Form };
     case 5:
       return { kind: "pattern", pattern: decodePattern(message.payload) };
+    case 6:
+      return { kind: "truth", truth: decodeTruth(message.payload) };
     default:
       return null;
   }
@@ -61,6 +63,11 @@ function uncertaintyOf(note: string, arrays: Map<string, Numbers>): Uncertainty 
     vertices: optional(arrays, "uncertain", Uint32Array) ?? new Uint32Array(0),
     covariances: optional(arrays, "covariances", Float32Array) ?? new Float32Array(0),
   };
+}
+
+function decodeTruth(payload: Uint8Array<ArrayBuffer>): Truth {
+  const { header, arrays } = decodeArrays(payload);
+  return { ...(header as unknown as Truth), positions: required(arrays, "positions", Float32Array) };
 }
 
 function decodePattern(payload: Uint8Array<ArrayBuffer>): Pattern {

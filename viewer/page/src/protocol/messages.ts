@@ -118,6 +118,29 @@ export interface Uncertainty {
   covariances: Float32Array;
 }
 
+/** The true estimates from another file, in the order of the structure with this number. */
+export interface Truth {
+  structure: number;
+  name: string;
+  /** "id", "name" or "position". */
+  matched_by: string;
+  matched: number;
+  poses: number;
+  true_poses: number;
+  /** x, y, z of each vertex; NaN if the vertex has no truth. */
+  positions: Float32Array;
+}
+
+/** How a frame differs from the truth. */
+export interface TruthFit {
+  /** The motion that brings the positions of the truth closest to those of the frame; row-major. */
+  rotation: number[];
+  translation: [number, number, number];
+  ate_m: MaybeNumber;
+  rpe_m: MaybeNumber;
+  rpe_rad: MaybeNumber;
+}
+
 export interface Frame {
   structure: number;
   sequence: number;
@@ -134,6 +157,8 @@ export interface Frame {
   line_values: LineValues | null;
   /** null if nobody asked for it. */
   uncertainty: Uncertainty | null;
+  /** null if there is no truth, or if it cannot be compared. */
+  truth: TruthFit | null;
 }
 
 /** A value that a setting can have; `unsuitable` is the reason why it makes no sense for this graph. */
@@ -189,6 +214,7 @@ export type Message =
   | { kind: "form"; form: Form }
   | { kind: "structure"; structure: Structure }
   | { kind: "frame"; frame: Frame }
+  | { kind: "truth"; truth: Truth }
   | { kind: "pattern"; pattern: Pattern };
 
 /** The values of settings, by their names. */

@@ -2,10 +2,12 @@
 // How much of the graph is drawn while the camera moves. It adapts to the speed of the machine.
 
 /** The number of lines. Poses cost more, points cost less. */
-const LEAST = 16_000, FIRST = 100_000, MOST = 4_000_000;
+const LEAST = 4_000, FIRST = 100_000, MOST = 4_000_000;
 const LINES_PER_POSE = 4, LINES_PER_POINT = 0.5;
 /** The time from one picture to the next. */
 const SLOW_MS = 50, FAST_MS = 22;
+/** A picture at rest may be as many times as large, and still has smooth edges. */
+const PATIENCE = 7;
 
 export interface Budget {
   lines: number;
@@ -21,6 +23,12 @@ export class AdaptiveBudget {
 
   get current(): Budget {
     return { lines: this.lines, poses: this.lines / LINES_PER_POSE, points: this.lines / LINES_PER_POINT };
+  }
+
+  /** Whether a picture with so much has smooth edges, which take about three times as long. */
+  isSmooth({ lines, poses, points }: Budget, is_moving: boolean): boolean {
+    const size = lines + LINES_PER_POSE * poses + LINES_PER_POINT * points;
+    return size <= this.lines * (is_moving ? 1 / PATIENCE : PATIENCE);
   }
 
   /** Takes the time at which a picture begins, in ms. */

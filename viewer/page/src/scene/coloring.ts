@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Classes of vertices that have a color each: by degree, or by connected component. Both follow from the lines of the structure.
-import { count } from "../format";
-import type { Structure } from "../protocol/messages";
+// Classes of vertices that have a color each: by degree or connected component, which follow from the lines of the structure, or by
+// how uncertain their positions are.
+import { count, general } from "../format";
+import type { Structure, Uncertainty } from "../protocol/messages";
 
-export const COLOR_MODES = ["type", "degree", "component"] as const;
+export const COLOR_MODES = ["type", "degree", "component", "uncertainty"] as const;
 export type ColorMode = (typeof COLOR_MODES)[number];
 
 /** The materials have this number of colors. */
@@ -17,6 +18,8 @@ export interface VertexClass {
 export interface Coloring {
   /** "ramp": from low to high. "distinct": the last class of MOST_CLASSES is what is left over. */
   scale: "ramp" | "distinct";
+  /** True if the last class of a ramp is what is left over. */
+  has_rest: boolean;
   classes: VertexClass[];
   /** The class of each vertex. */
   of_vertex: Uint8Array;
@@ -24,11 +27,16 @@ export interface Coloring {
 
 /** The least degree of each class. */
 const DEGREE_LIMITS = [0, 1, 2, 3, 4, 5, 9, 17];
+const SIGMA_CLASSES = 6;
 
-/** Returns null for colors by type. */
-export function coloringOf(structure: Structure, mode: ColorMode): Coloring | null {
-  if (mode === "type") return null;
-  return mode === "degree" ? degreeColoring(structure) : componentColoring(structure);
+/** Returns null for colors by type. `uncertainty` is null if it was not computed. */
+export function coloringOf(structure: Structure, mode: ColorMode, uncertainty: Uncertainty | null): Coloring | null {
+  switch (mode) {
+    case "type": return null;
+    case "degree": return degreeColoring(structure);
+    case "component": return componentColoring(structure);
+    case "uncertainty": return uncertaintyColoring(structure.fixed.length, uncertainty);
+  }
 }
 
 /** Vertices by the number of their lines; classes without vertices are absent. */
@@ -44,7 +52,7 @@ function degreeColoring({ lines, fixed }: Structure): Coloring {
   for (const i of of_vertex) ++all[i]!.count;
   const classes = all.filter((each) => each.count > 0);
   const renumbered = all.map((each) => classes.indexOf(each));
-  return { scale: "ramp", classes, of_vertex: of_vertex.map((i) => renumbered[i]!) };
+  return { scale: "ramp", has_rest: false, classes, of_vertex: of_vertex.map((i) => renumbered[i]!) };
 }
 
 function degreeClass(degree: number): number {
@@ -65,7 +73,7 @@ function componentColoring(structure: Structure): Coloring {
   if (rest.length > 0)
     classes.push({ name: `${count(rest.length)} others`, count: rest.reduce((sum, [, size]) => sum + size, 0) });
   const class_of = new Map(named.map(([root], i) => [root, i]));
-  return { scale: "distinct", classes, of_vertex: Uint8Array.from(roots, (root) => class_of.get(root) ?? MOST_CLASSES - 1) };
+  return { scale: "distinct", has_rest: false, classes, of_vertex: Uint8Array.from(roots, (root) => class_of.get(root) ?? MOST_CLASSES - 1) };
 }
 
 /** Returns a vertex of its component for each vertex, the same one for all of the component. */
@@ -81,4 +89,31 @@ function componentRoots({ lines, fixed }: Structure): Uint32Array {
     parents[Math.max(a, b)] = Math.min(a, b);
   }
   return parents.map((_, vertex) => rootOf(vertex));
+}
+
+/**
+ * Vertices by the standard deviation of their position: the root of the trace of its covariance. The classes divide the range of the
+ * logarithms; vertices of which it is not known are the rest.
+ */
+function uncertaintyColoring(vertices: number, uncertainty: Uncertainty | null): Coloring {
+  const { covariances = new Float32Array(0), vertices: numbers = new Uint32Array(0) } = uncertainty ?? {};
+  const sigmas = new Float64Array(vertices).fill(NaN);
+  numbers.forEach((vertex, i) => {
+    const [xx, , , yy, , zz] = covariances.subarray(6 * i, 6 * i + 6);
+    sigmas[vertex] = Math.sqrt(xx! + yy! + zz!);
+  });
+  const known = sigmas.filter((sigma) => sigma > 0 && sigma < Infinity);
+  const least = known.reduce((a, b) => Math.min(a, b), Infinity), most = known.reduce((a, b) => Math.max(a, b), 0);
+  const is_range = most > 1.01 * least;
+  const steps = known.length === 0 ? 0 : is_range ? SIGMA_CLASSES : 1;
+  const limit = (i: number) => general(least * (most / least) ** (i / steps), 2);
+  const all = Array.from({ length: steps }, (_, i) => ({ name: is_range ? `${limit(i)}–${limit(i + 1)}` : limit(i), count: 0 }));
+  all.push({ name: "fixed, or not known", count: 0 });
+  const of_vertex = Uint8Array.from(sigmas, (sigma) => {
+    if (!(sigma > 0 && sigma < Infinity)) return steps;
+    return is_range ? Math.min(steps - 1, Math.floor((steps * Math.log(sigma / least)) / Math.log(most / least))) : 0;
+  });
+  for (const i of of_vertex) ++all[i]!.count;
+  const has_rest = all[steps]!.count > 0;
+  return { scale: "ramp", has_rest, classes: has_rest ? all : all.slice(0, steps), of_vertex };
 }

@@ -28,6 +28,8 @@ export interface DisplayOptions {
   poses_as_axes: boolean;
   /** The estimates of the file, faintly under the current ones. */
   shows_initial: boolean;
+  /** The true estimates, if a file with them is open. */
+  shows_truth: boolean;
   /** The ellipses of the current estimates, if they were computed. */
   shows_uncertainty: boolean;
   /** What the colors of vertices tell. */
@@ -42,6 +44,7 @@ export function defaultOptions(): DisplayOptions {
     background: null,
     poses_as_axes: false,
     shows_initial: false,
+    shows_truth: true,
     shows_uncertainty: true,
     color_mode: "type",
     edge_coloring: "role",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All objects of one structure. Frames change their positions; options and theme change their looks.
 import { Color, Group, Matrix3, Matrix4, Vector3 } from "three";
-import type { EdgeGroup, Frame, Structure, VertexGroup } from "../protocol/messages";
+import type { EdgeGroup, Frame, Structure, Truth, TruthFit, Uncertainty, VertexGroup } from "../protocol/messages";
 import { classColors, type Theme, typeColor } from "../theme";
 import type { Budget } from "./budget";
 import { type Coloring, type ColorMode, coloringOf } from "./coloring";
@@ -9,7 +9,7 @@ import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./displ
 import { type EdgeColoring, LEVELS, levelCounts, levelsOf, linesOfLevel, type LineValues } from "./edge_levels";
 import { Edges, linesOf } from "./edges";
 import { Ellipses } from "./ellipses";
-import { Ghost } from "./ghost";
+import { type Estimates, Ghost, type GhostKind } from "./ghost";
 import { shared } from "./materials";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
@@ -42,7 +42,9 @@ export class GraphScene {
   level_counts: number[] | null = null;
   private readonly fixed: PointCloud;
   private readonly ellipses: Ellipses;
-  private ghost: Ghost | null = null;
+  private readonly ghosts: Record<GhostKind, Ghost | null> = { before: null, truth: null };
+  /** Of the last frame. */
+  private truth_fit: TruthFit | null = null;
   private readonly selection: Selection;
   /** By type, in the order of the structure. */
   private shown_vertices: boolean[] = [];
@@ -50,6 +52,9 @@ export class GraphScene {
   private center: Vector3 | null = null;
   private poses_as_axes = false;
   private color_mode: ColorMode = "type";
+  /** Of the last frame. */
+  private uncertainty: Uncertainty | null = null;
+  private has_new_uncertainty = false;
   /** The classes of vertices that have a color each; null if vertices are colored by type. */
   coloring: Coloring | null = null;
 
@@ -84,35 +89,39 @@ export class GraphScene {
       this.line_values = frame.line_values;
       this.has_new_values = true;
     }
+    if (frame.uncertainty !== this.uncertainty) {
+      this.uncertainty = frame.uncertainty;
+      this.has_new_uncertainty = true;
+    }
     if (changed) this.updateVisible();
     this.ellipses.update(frame, this.vertices);
+    this.truth_fit = frame.truth;
+    this.placeTruth();
   }
 
   applyFilter(options: DisplayOptions): void {
     this.filter.apply(options.limits);
     this.vertices.filter(this.filter.first, this.filter.mask);
-    this.ghost?.filter(this.filter.first, this.filter.mask);
+    for (const ghost of this.shownGhosts()) ghost.filter(this.filter.first, this.filter.mask);
     this.updateVisible();
   }
 
-  /** Shows other estimates faintly, or none. They get their looks from applyOptions(). */
-  setGhost(frame: Frame | null): void {
-    if (frame === (this.ghost?.frame ?? null)) return;
-    if (this.ghost) {
-      this.root.remove(this.ghost.root);
-      this.ghost.dispose();
-    }
-    this.ghost = frame && new Ghost(this.structure, frame);
-    if (!this.ghost) return;
-    this.place(this.ghost.root, this.ghost.frame);
-    this.ghost.filter(this.filter.first, this.filter.mask);
-    this.root.add(this.ghost.root);
+  /** Shows the estimates of the file faintly, or nothing of them. They get their looks from applyOptions(). */
+  setInitial(frame: Frame | null): void {
+    const ghost = this.setGhost("before", frame);
+    if (ghost) this.place(ghost.root, frame!);
+  }
+
+  /** Shows the truth, or nothing of it. It gets its looks from applyOptions(). */
+  setTruth(truth: Truth | null): void {
+    this.setGhost("truth", truth);
+    this.placeTruth();
   }
 
   /** `spacing` is the typical distance between poses. */
   applyOptions(options: DisplayOptions, spacing: number, theme: Theme): void {
     if (options.poses_as_axes !== this.poses_as_axes) this.changeShapes(options.poses_as_axes);
-    if (options.color_mode !== this.color_mode) this.changeColoring(options.color_mode);
+    this.colorVertices(options.color_mode);
     const uses_classes = this.coloring !== null;
     if (this.coloring) {
       classColors(theme, this.coloring).forEach((color, i) => shared.class_colors.value[i]!.copy(color));
@@ -144,7 +153,7 @@ export class GraphScene {
     this.ellipses.setColor(theme.uncertainty);
     this.ellipses.shown = options.shows_uncertainty;
     this.ellipses.hide(this.structure.vertices.filter((_, i) => !this.groups[i]!.object.visible), this.vertices);
-    this.ghost?.applyOptions(theme, (group) => styleFor(group).shown);
+    for (const ghost of this.shownGhosts()) ghost.applyOptions(theme, (group) => styleFor(group).shown);
     this.selection.setColor(theme.selection);
     this.shown_vertices = this.groups.map((part) => part.object.visible);
     this.shown_edges = this.structure.edges.map((group) => {
@@ -167,9 +176,9 @@ export class GraphScene {
     }, place);
   }
 
-  /** Marks a vertex, or the vertices of an edge. */
-  select(vertices: number[]): void {
-    this.selection.show(vertices);
+  /** Marks vertices, and joins the first one with all others if they are those of an edge. */
+  select(vertices: number[], are_joined: boolean): void {
+    this.selection.show(vertices, are_joined);
   }
 
   /** Where the vertex is in the scene; null if it is not drawn. */
@@ -183,12 +192,23 @@ export class GraphScene {
     return (this.center ?? new Vector3()).clone().applyMatrix3(this.rotation);
   }
 
+  /** How much is drawn without a limit. */
+  get drawableCounts(): Budget {
+    const count = (parts: { drawableCount: number }[]) => parts.reduce((sum, part) => sum + part.drawableCount, 0);
+    return {
+      lines: count(this.edges),
+      poses: count(this.groups.filter((group) => group instanceof Poses)),
+      points: count(this.groups.filter((group) => group instanceof PointCloud)),
+    };
+  }
+
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */
   limit(budget: Budget): void {
-    limitParts([...this.edges, ...(this.ghost?.edges ?? [])], budget.lines);
+    const ghosts = this.shownGhosts();
+    limitParts([...this.edges, ...ghosts.flatMap(({ edges }) => edges)], budget.lines);
     limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
     const clouds = this.groups.filter((group) => group instanceof PointCloud);
-    limitParts([...clouds, ...(this.ghost?.points ?? [])], budget.points);
+    limitParts([...clouds, ...ghosts.flatMap(({ points }) => points)], budget.points);
     limitParts([this.ellipses], budget.poses);
     this.fixed.drawPart(1);
   }
@@ -196,8 +216,38 @@ export class GraphScene {
   dispose(): void {
     for (const part of this.parts()) part.dispose();
     this.ellipses.dispose();
-    this.ghost?.dispose();
+    for (const ghost of this.shownGhosts()) ghost.dispose();
     this.selection.dispose();
+  }
+
+  private shownGhosts(): Ghost[] {
+    return Object.values(this.ghosts).filter((ghost) => ghost !== null);
+  }
+
+  private setGhost(kind: GhostKind, estimates: Estimates | null): Ghost | null {
+    const before = this.ghosts[kind];
+    if (estimates === (before?.estimates ?? null)) return before;
+    if (before) {
+      this.root.remove(before.root);
+      before.dispose();
+    }
+    const ghost = (this.ghosts[kind] = estimates && new Ghost(kind, this.structure, estimates));
+    if (!ghost) return null;
+    ghost.filter(this.filter.first, this.filter.mask);
+    this.root.add(ghost.root);
+    return ghost;
+  }
+
+  /** Moves the truth onto the estimates. */
+  private placeTruth(): void {
+    const { truth } = this.ghosts;
+    if (!truth) return;
+    truth.root.visible = this.truth_fit !== null;
+    if (!this.truth_fit) return;
+    const { rotation, translation } = this.truth_fit;
+    const motion = new Matrix4().setFromMatrix3(new Matrix3().fromArray(rotation).transpose()).setPosition(...translation);
+    truth.root.matrix.multiplyMatrices(this.current.matrix, motion);
+    truth.root.matrixWorldNeedsUpdate = true;
   }
 
   private parts(): (Poses | PointCloud | Edges)[] {
@@ -247,9 +297,12 @@ export class GraphScene {
     }
   }
 
-  private changeColoring(mode: ColorMode): void {
+  private colorVertices(mode: ColorMode): void {
+    const is_new = mode !== this.color_mode || (mode === "uncertainty" && this.has_new_uncertainty);
+    if (!is_new) return;
     this.color_mode = mode;
-    this.coloring = coloringOf(this.structure, mode);
+    this.has_new_uncertainty = false;
+    this.coloring = coloringOf(this.structure, mode, this.uncertainty);
     if (!this.coloring) return;
     this.vertices.setClasses(this.coloring.of_vertex);
     for (const group of this.groups) {

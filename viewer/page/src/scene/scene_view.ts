@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
 import { Color, LinearSRGBColorSpace, Matrix4, Scene, Vector3, WebGLRenderer } from "three";
-import { type Frame, isSameKind, isSameStructure, type Structure } from "../protocol/messages";
+import { type Frame, isSameKind, isSameStructure, type Structure, type Truth } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
 import { CameraRig, type CameraState } from "./camera_rig";
@@ -9,6 +9,7 @@ import { type DisplayOptions, defaultOptions } from "./display_options";
 import { GraphScene } from "./graph_scene";
 import { shared } from "./materials";
 import type { Picked } from "./picking";
+import { Smoothing } from "./smoothing";
 import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./statistics";
 
 /** How much of its color the farthest part of a graph in 3-D loses. */
@@ -28,9 +29,12 @@ export class SceneView {
   on_frame: () => void = () => {};
   /** Called after the page learned or forgot the estimates of the file. */
   on_initial: () => void = () => {};
+  /** Called after the page learned or forgot the truth. */
+  on_truth: () => void = () => {};
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
+  private readonly smoothing: Smoothing;
   private readonly world = new Scene();
   private readonly rig: CameraRig;
   private readonly budget = new AdaptiveBudget();
@@ -40,6 +44,8 @@ export class SceneView {
   private pending: Frame | null = null;
   /** The estimates of the file; null if the page does not know them. */
   private initial: Frame | null = null;
+  /** Those of the current structure; null if no truth is open. */
+  private true_estimates: Truth | null = null;
   private fitted: Extent | null = null;
   private spacing = 0;
   /** True until the user moves the camera: the view then follows the graph. */
@@ -50,7 +56,8 @@ export class SceneView {
 
   /** Throws if the browser has no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.smoothing = new Smoothing(this.renderer);
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.rig = new CameraRig(canvas, () => this.moved(), () => this.requestPicture());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -72,8 +79,9 @@ export class SceneView {
     }
     this.graph = new GraphScene(structure);
     this.world.add(this.graph.root);
-    this.frame = this.pending = null;
+    this.frame = this.pending = this.true_estimates = null;
     this.spacing = 0;
+    this.on_truth();
     if (!this.keeps_camera) {
       this.fitted = null;
       this.follows = true;
@@ -93,6 +101,18 @@ export class SceneView {
     this.initial = frame;
     this.on_initial();
     if (this.options.shows_initial) this.applyTheme();
+  }
+
+  /** Takes the truth of the current structure, which the options may show under the estimates. */
+  setTruth(truth: Truth | null): void {
+    if (truth && truth.structure !== this.graph?.structure.structure) return;
+    this.true_estimates = truth;
+    this.on_truth();
+    this.applyTheme();
+  }
+
+  get truth(): Truth | null {
+    return this.true_estimates;
   }
 
   get knowsInitial(): boolean {
@@ -144,9 +164,9 @@ export class SceneView {
     return this.graph.pick({ x, y, width, height, near }, this.viewProjection());
   }
 
-  /** Marks a vertex, or the vertices of an edge; nothing if the list is empty. */
-  select(vertices: number[]): void {
-    this.graph?.select(vertices);
+  /** Marks vertices, and joins the first one with all others if they are those of an edge. */
+  select(vertices: number[], are_joined: boolean): void {
+    this.graph?.select(vertices, are_joined);
     this.requestPicture();
   }
 
@@ -222,7 +242,8 @@ export class SceneView {
     if (this.pending) this.show(this.pending);
     this.setFading();
     this.graph?.limit(budget);
-    this.renderer.render(this.world, this.rig.camera);
+    const painter = this.graph && this.budget.isSmooth(this.graph.drawableCounts, this.isMoving) ? this.smoothing : this.renderer;
+    painter.render(this.world, this.rig.camera);
     if (this.frame) ++this.pictures;
     if (is_new) this.on_frame();
   }
@@ -230,7 +251,7 @@ export class SceneView {
   private show(frame: Frame): void {
     const graph = this.graph!;
     const is_first = this.frame === null;
-    const brings_news = is_first || frame.line_values !== null || frame.uncertainty !== this.frame?.uncertainty;
+    const brings_values = frame.line_values !== null || frame.uncertainty !== (this.frame?.uncertainty ?? null);
     const brings_errors = frame.errors !== null && this.options.limits.most_error < Infinity;
     this.frame = frame;
     this.pending = null;
@@ -239,8 +260,8 @@ export class SceneView {
     if (is_first && !this.keeps_camera) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
     if (this.follows) this.followGraph();
     this.updateSpacing(graph, frame);
-    if (frame.line_values) graph.applyOptions(this.options, this.spacing, currentTheme());
-    if (brings_news) this.on_structure(graph);
+    if (brings_values) graph.applyOptions(this.options, this.spacing, currentTheme());
+    if (is_first || brings_values) this.on_structure(graph);
   }
 
   private followGraph(): void {
@@ -305,8 +326,11 @@ export class SceneView {
     const background = this.options.background === null ? theme.background : new Color(this.options.background);
     this.renderer.setClearColor(background);
     shared.background.value.copy(background);
-    // The ghost is placed relative to the first frame.
-    if (this.frame) this.graph?.setGhost(this.options.shows_initial ? this.initial : null);
+    // Other estimates are placed relative to the first frame.
+    if (this.frame) {
+      this.graph?.setInitial(this.options.shows_initial ? this.initial : null);
+      this.graph?.setTruth(this.options.shows_truth ? this.true_estimates : null);
+    }
     this.graph?.applyOptions(this.options, this.spacing, theme);
     this.requestPicture();
   }

@@ -23,8 +23,7 @@ export class Vertices {
   }
 
   /** Returns true if `visible` changed. */
-  update(frame: Frame): boolean {
-    const from = frame.positions;
+  update({ positions: from }: Pick<Frame, "positions">): boolean {
     const to = this.positions.array as Float32Array;
     let changed = false;
     to.set(from);

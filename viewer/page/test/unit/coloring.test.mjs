@@ -12,11 +12,11 @@ function structure(vertices, ...edges) {
 }
 
 test("by type, there are no classes", () => {
-  assert.equal(coloringOf(structure(2, [0, 1]), "type"), null);
+  assert.equal(coloringOf(structure(2, [0, 1]), "type", null), null);
 });
 
 test("the degree of a vertex is the number of its edges", () => {
-  const { classes, of_vertex } = coloringOf(structure(5, [0, 1], [1, 2], [1, 3], [0, 1]), "degree");
+  const { classes, of_vertex } = coloringOf(structure(5, [0, 1], [1, 2], [1, 3], [0, 1]), "degree", null);
   assert.deepEqual(classes, [
     { name: "0", count: 1 }, { name: "1", count: 2 }, { name: "2", count: 1 }, { name: "4", count: 1 },
   ]);
@@ -25,19 +25,19 @@ test("the degree of a vertex is the number of its edges", () => {
 
 test("high degrees are classes of several degrees up to the largest", () => {
   const star = (degree) => structure(degree + 1, ...Array.from({ length: degree }, (_, i) => [0, i + 1]));
-  assert.deepEqual(coloringOf(star(8), "degree").classes.map(({ name }) => name), ["1", "5–8"]);
-  assert.deepEqual(coloringOf(star(17), "degree").classes.map(({ name }) => name), ["1", "17"]);
-  assert.deepEqual(coloringOf(star(1200), "degree").classes.map(({ name }) => name), ["1", "17–1,200"]);
+  assert.deepEqual(coloringOf(star(8), "degree", null).classes.map(({ name }) => name), ["1", "5–8"]);
+  assert.deepEqual(coloringOf(star(17), "degree", null).classes.map(({ name }) => name), ["1", "17"]);
+  assert.deepEqual(coloringOf(star(1200), "degree", null).classes.map(({ name }) => name), ["1", "17–1,200"]);
 });
 
 test("components are sorted by size", () => {
-  const { classes, of_vertex } = coloringOf(structure(6, [0, 4], [5, 1], [2, 3], [3, 5]), "component");
+  const { classes, of_vertex } = coloringOf(structure(6, [0, 4], [5, 1], [2, 3], [3, 5]), "component", null);
   assert.deepEqual(classes, [{ name: "Component 1", count: 4 }, { name: "Component 2", count: 2 }]);
   assert.deepEqual([...of_vertex], [1, 0, 0, 0, 1, 0]);
 });
 
 test("components beyond the number of colors are one class", () => {
-  const { classes, of_vertex } = coloringOf(structure(11, [9, 10]), "component");
+  const { classes, of_vertex } = coloringOf(structure(11, [9, 10]), "component", null);
   assert.equal(classes.length, MOST_CLASSES);
   assert.deepEqual(classes.at(0), { name: "Component 1", count: 2 });
   assert.deepEqual(classes.at(-1), { name: "3 others", count: 3 });
@@ -47,7 +47,26 @@ test("components beyond the number of colors are one class", () => {
 test("a path of many vertices in any order is one component", () => {
   const count = 20_000;
   const edges = Array.from({ length: count - 1 }, (_, i) => [i + 1, i]).reverse();
-  assert.deepEqual(coloringOf(structure(count, ...edges), "component").classes, [{ name: "Component 1", count }]);
+  assert.deepEqual(coloringOf(structure(count, ...edges), "component", null).classes, [{ name: "Component 1", count }]);
+});
+
+test("the uncertainty of a vertex is the standard deviation of its position", () => {
+  const covariances = (...sigmas) => Float32Array.from(sigmas.flatMap((sigma) => [sigma ** 2 / 2, 9, 9, sigma ** 2 / 2, 9, 0]));
+  const uncertainty = { note: "", vertices: Uint32Array.of(0, 2, 3, 4), covariances: covariances(1, 64, 30, 0) };
+  const { has_rest, classes, of_vertex } = coloringOf(structure(6, [0, 1]), "uncertainty", uncertainty);
+  assert.deepEqual(classes, [
+    { name: "1–2", count: 1 }, { name: "2–4", count: 0 }, { name: "4–8", count: 0 }, { name: "8–16", count: 0 },
+    { name: "16–32", count: 1 }, { name: "32–64", count: 1 }, { name: "fixed, or not known", count: 3 },
+  ]);
+  assert.deepEqual([...of_vertex], [0, 6, 5, 4, 6, 6]);
+  assert.equal(has_rest, true);
+});
+
+test("without uncertainties, all vertices are the rest; equal ones are one class", () => {
+  const { has_rest, classes } = coloringOf(structure(2, [0, 1]), "uncertainty", null);
+  assert.deepEqual([has_rest, classes], [true, [{ name: "fixed, or not known", count: 2 }]]);
+  const equal = { note: "", vertices: Uint32Array.of(0, 1), covariances: Float32Array.of(4, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0) };
+  assert.deepEqual(coloringOf(structure(2, [0, 1]), "uncertainty", equal).classes, [{ name: "2", count: 2 }]);
 });
 
 for (const [name, theme] of Object.entries(THEMES)) {
