@@ -24,5 +24,6 @@ void bind_edges(GraphClass& graph);
 void bind_bulk(GraphClass& graph);
 void bind_file(py::module_& module, GraphClass& graph);
 void bind_optimizer(py::module_& module);
+void bind_covariance(py::module_& module);
 
 }  // namespace boxplus::python

@@ -17,9 +17,7 @@ namespace {
 
 EdgeRef add_edge(GraphObject& self, py::handle edge, const py::args& vertices, py::handle information) {
   Graph& graph = self.write();
-  std::vector<VertexRef> refs;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    refs.push_back(vertex_of(graph, vertices[i], "vertices[" + std::to_string(i) + "]"));
+  const std::vector<VertexRef> refs = vertices_of(graph, vertices, "vertices");
   const EdgeKind& kind = kind_for(family_of(edge), graph, refs);
   const Informations informations(information, kind.rows, "information");
   informations.require_count(1);

@@ -17,7 +17,7 @@ py::object new_exception(py::module_& module, const char* name, const py::tuple&
   return type;
 }
 
-void translate(std::exception_ptr pointer) {
+void translate(std::exception_ptr pointer) {  // NOLINT(performance-unnecessary-value-param)
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const InputError& error) {

@@ -129,6 +129,11 @@ void bind_plane(py::module_& module) {
           "from_vector",
           [](py::handle v) { return SE2::from_vector(vector_of<3>(v, "vector", "x y theta")); },
           py::arg("vector"), "The pose (x, y, theta).")
+      .def_static(
+          "exp", [](py::handle v) { return SE2::exp(vector_of<3>(v, "tangent", "m/s m/s rad/s")); },
+          py::arg("tangent"), "The pose after one second at a constant velocity in the body frame.")
+      .def(
+          "log", [](const SE2& x) { return array_of(x.log()); }, "The inverse of exp().")
       .def("x", [](const SE2& x) { return x.x(); })
       .def("y", [](const SE2& x) { return x.y(); })
       .def("theta", [](const SE2& x) { return x.theta(); })
@@ -194,6 +199,12 @@ void bind_space(py::module_& module) {
       .def("translation", [](const SE3& x) { return array_of(x.translation()); })
       .def(
           "quaternion", [](const SE3& x) { return array_of(x.quaternion()); }, "qx qy qz qw")
+      .def_static(
+          "exp",
+          [](py::handle v) { return SE3::exp(vector_of<6>(v, "tangent", "m/s m/s m/s rad/s rad/s rad/s")); },
+          py::arg("tangent"), "The pose after one second at a constant velocity in the body frame.")
+      .def(
+          "log", [](const SE3& x) { return array_of(x.log()); }, "The inverse of exp().")
       .def("so3", &SE3::so3)
       .def("rotation", [](const SE3& x) { return to_array(Eigen::MatrixXd(x.rotation())); })
       .def(

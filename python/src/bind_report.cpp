@@ -100,7 +100,7 @@ constexpr std::tuple kReport{Member{"status", &Report::status},
 /// A struct with read-only attributes; its repr lists them.
 template <class T, class... M>
 void bind_struct(py::handle scope, const char* name, const std::tuple<M...>& members) {
-  py::class_<T> type(scope, name);
+  py::class_<T> type(scope, name, "The struct of C++ with the same members.");
   bind_members(type, members);
   type.def("__repr__", [name, members](const py::object& self) {
     std::string text;
@@ -137,8 +137,11 @@ void bind_report(py::module_& module) {
       .def("start_remark", &Report::start_remark)
       .def("__repr__", [](const Report& self) { return to_string(self); });
   report.attr("kRejectedWeight") = Report::kRejectedWeight;
-  module.def("to_string", [](Report::Status status) { return to_string(status); });
-  module.def("to_string", [](Report::Reason reason) { return to_string(reason); });
+  module.def(
+      "to_string", [](Report::Status status) { return to_string(status); }, py::arg("value"),
+      "The text of a status or a reason in reports.");
+  module.def(
+      "to_string", [](Report::Reason reason) { return to_string(reason); }, py::arg("value"));
 }
 
 }  // namespace boxplus::python

@@ -18,12 +18,8 @@ std::string message(std::string_view name, std::string_view expected, const std:
 
 /// "[3, 1]": the place of a value in an array whose values are numbered row by row.
 std::string place(const py::array& array, py::ssize_t index) {
-  std::string text;
-  for (py::ssize_t axis = array.ndim() - 1; axis >= 0; --axis) {
-    text = std::to_string(index % array.shape(axis)) + (text.empty() ? "" : ", ") + text;
-    index /= array.shape(axis);
-  }
-  return "[" + text + "]";
+  const py::object indices = py::module_::import("numpy").attr("unravel_index")(index, array.attr("shape"));
+  return py::str(py::list(indices));
 }
 
 /// A NumPy array of any type.
@@ -89,7 +85,7 @@ std::vector<double> read_vector(py::handle value, int size, std::string_view nam
 }
 
 Numbers read_rows(py::handle value, int columns, std::string_view name, std::string_view layout) {
-  const Numbers numbers = read_numbers(value, name);
+  Numbers numbers = read_numbers(value, name);
   const bool is_list = numbers.ndim() == 1 && (columns == 1 || numbers.size() == 0);
   if (!is_list && (numbers.ndim() != 2 || numbers.shape(1) != columns))
     throw_value_error(name, rows_text(columns, layout), numbers);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/report.h"
 #include "convert.h"
 
@@ -125,6 +126,14 @@ struct Enumerators<Report::Reason> {
                                                         {"kGaugeFreedom", kGaugeFreedom}};
 };
 
+template <>
+struct Enumerators<Covariance::Status> {
+  using enum Covariance::Status;
+  static constexpr const char* kName = "Status";
+  static constexpr Enumerator<Covariance::Status> kAll[] = {
+      {"kOk", kOk}, {"kSingular", kSingular}, {"kNotFinite", kNotFinite}, {"kStopped", kStopped}};
+};
+
 /// "levenberg-marquardt" for "kLevenbergMarquardt".
 inline std::string text_of(std::string_view enumerator) {
   std::string text;
@@ -145,12 +154,11 @@ void bind_enum(py::handle scope) {
 template <class E>
 E read_enumerator(py::handle value, std::string_view name) {
   if (py::isinstance<E>(value)) return value.cast<E>();
-  std::string expected = "one of ", separator;
+  std::string expected;
   for (const Enumerator<E>& enumerator : Enumerators<E>::kAll) {
     const std::string text = text_of(enumerator.name);
     if (py::isinstance<py::str>(value) && value.cast<std::string>() == text) return enumerator.value;
-    expected += separator + "'" + text + "'";
-    separator = ", ";
+    expected.append(expected.empty() ? "one of '" : ", '").append(text).append("'");
   }
   if (py::isinstance<py::str>(value)) throw_value_error(name, expected, value);
   throw_type_error(name, expected, value);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "boxplus/io/graph_file.h"
 
@@ -73,6 +74,8 @@ class GraphObject {
 /// The vertex with that id, or the vertex of a VertexRef. Throws InvalidArgument if there is no such vertex,
 /// and TypeError if the object is neither of the two.
 VertexRef vertex_of(const Graph& graph, py::handle vertex, std::string_view name);
+/// The vertices of a sequence.
+std::vector<VertexRef> vertices_of(const Graph& graph, py::handle vertices, std::string_view name);
 /// An EdgeRef.
 EdgeRef edge_of(py::handle edge, std::string_view name);
 

@@ -17,5 +17,6 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_bulk(graph);
   bind_file(module, graph);
   bind_optimizer(module);
+  bind_covariance(module);
   module.attr("__name__") = name;
 }

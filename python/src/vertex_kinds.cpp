@@ -108,6 +108,15 @@ VertexRef vertex_of(const Graph& graph, py::handle vertex, std::string_view name
   return *found;
 }
 
+std::vector<VertexRef> vertices_of(const Graph& graph, py::handle vertices, std::string_view name) {
+  if (!py::isinstance<py::sequence>(vertices) && !py::isinstance<py::array>(vertices))
+    throw_type_error(name, "a list of VertexRefs or ids", vertices);
+  std::vector<VertexRef> refs;
+  for (const py::handle vertex : vertices)
+    refs.push_back(vertex_of(graph, vertex, RowName{name, refs.size()}.text()));
+  return refs;
+}
+
 EdgeRef edge_of(py::handle edge, std::string_view name) {
   if (!py::isinstance<EdgeRef>(edge)) throw_type_error(name, "an EdgeRef", edge);
   return edge.cast<EdgeRef>();

@@ -53,6 +53,13 @@ class Manifold(unittest.TestCase):
         np.testing.assert_allclose(SE3.from_minimal(EXAMPLES[3].minimal()).vector(), EXAMPLES[3].vector(), atol=1e-15)
         self.assertEqual(boxplus.Vector3(1, 2, 3).tolist(), [1, 2, 3])
 
+    def test_log_is_the_inverse_of_exp(self):
+        for x in (EXAMPLES[1], EXAMPLES[3]):
+            np.testing.assert_allclose(type(x).exp(x.log()).ominus(x), 0, atol=1e-14)
+        np.testing.assert_allclose(SE2.exp([1, 0, np.pi / 2]).vector(), [2 / np.pi, 2 / np.pi, np.pi / 2], atol=1e-15)
+        np.testing.assert_allclose(SE3.exp([1, 0, 0, 0, 0, np.pi / 2]).translation(), [2 / np.pi, 2 / np.pi, 0],
+                                   atol=1e-15)
+
     def test_wrong_arguments_are_named(self):
         for error, text, function in (
                 (ValueError, "x: expected a finite number, got nan", lambda: SE2(np.nan, 0, 0)),

@@ -164,11 +164,11 @@ class Stops(unittest.TestCase):
     def test_other_threads_run_meanwhile_and_ctrl_c_stops_the_run(self):
         graph = ring(20000)
         before = graph.chi2()
-        seen = []
+        seen, is_over = [], threading.Event()
 
         def interrupt_when_running():
             try:
-                while True:
+                while not is_over.is_set():
                     graph.vertex_count()
             except InvalidArgument as error:  # the graph is being optimized
                 seen.append(str(error))
@@ -179,7 +179,7 @@ class Stops(unittest.TestCase):
         with self.assertRaises(KeyboardInterrupt):
             thread.start()
             report = optimize(graph, threads=1, cost_tolerance=0, noise_tolerance=0, step_tolerance=0)
-            thread.join()
+            is_over.set()
         self.assertIsNone(report, "the run was not interrupted")
         thread.join()
         self.assertIn("this graph is being optimized", seen[0])
