@@ -207,8 +207,8 @@ void add_edges(const EdgeLanes& tile) {
 
 /// Calls f(Sizes) with the sizes as compile-time constants, if there are kernels for them. There are kernels
 /// for relative poses and points, for observations of a point from a pose, and for pixels (2 rows). The
-/// camera of a pixel is one vertex of 6 or 9 dimensions, or its 3 or 4 intrinsic parameters are a vertex of
-/// their own.
+/// camera of a pixel is one vertex of 6 or 9 dimensions, or its 3, 4, 5, 8 or 12 intrinsic parameters are a
+/// vertex of their own.
 template <class F>
 void for_lane_sizes(int rows, const int* dims, int arity, F&& f) {
   const auto is = [&]<int R, int... D>(Sizes<R, D...>) {
@@ -230,6 +230,9 @@ void for_lane_sizes(int rows, const int* dims, int arity, F&& f) {
   offer(Sizes<2, 9, 3>());
   offer(Sizes<2, 6, 3, 3>());
   offer(Sizes<2, 6, 3, 4>());
+  offer(Sizes<2, 6, 3, 5>());
+  offer(Sizes<2, 6, 3, 8>());
+  offer(Sizes<2, 6, 3, 12>());
 }
 
 /// The kernel for edges of these sizes, or null if there is none.

@@ -69,7 +69,7 @@ void half_block(int, int, const double* l, const double* w, double* y) {
 template <int R, int N, int Cols>
 inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int b_rows, double* c) {
   const int cols = Cols > 0 ? Cols : b_rows;
-#pragma GCC unroll 9
+#pragma GCC unroll 12
   for (int j = 0; j < cols; ++j) {
     Column<R> sum;
     sum.load(c + j * R);
@@ -114,7 +114,7 @@ void subtract_transposed_multiple(int, int, const double* w, const double* x, do
 #pragma GCC unroll 3
   for (int p = 0; p < N; ++p) {
     double even = 0, odd = 0;
-#pragma GCC unroll 9
+#pragma GCC unroll 12
     for (int r = 0; r + 1 < R; r += 2) {
       even += w[r + p * R] * x[r];
       odd += w[r + 1 + p * R] * x[r + 1];
@@ -151,12 +151,18 @@ inline const EliminationKernels* elimination_kernels_for(int rows, int dim) {
       return elimination_kernels_of<3>(dim);
     case 4:
       return elimination_kernels_of<4>(dim);
+    case 5:
+      return elimination_kernels_of<5>(dim);
     case 6:
       return elimination_kernels_of<6>(dim);
     case 7:
       return elimination_kernels_of<7>(dim);
+    case 8:
+      return elimination_kernels_of<8>(dim);
     case 9:
       return elimination_kernels_of<9>(dim);
+    case 12:
+      return elimination_kernels_of<12>(dim);
     default:
       return nullptr;
   }

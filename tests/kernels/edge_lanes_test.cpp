@@ -141,13 +141,15 @@ TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
   }
 }
 
-TEST_P(EdgeLanes, AddEveryBlockOfAnEdgeWithThreeVertices) {
+/// Compares edges with a pose, a point and a camera of `dim` parameters with the formula.
+void expect_every_block_with_camera(int dim) {
   std::mt19937 random(4);
-  constexpr int kRows = 2, kDims[] = {6, 3, 3}, kFirst[] = {0, 6, 9}, kColumns = 12;
-  const dense::AddEdges add_edges = add_edges_for(kRows, {6, 3, 3});
+  const int dims[] = {6, 3, dim}, first[] = {0, 6, 9}, columns = 9 + dim;
+  const auto block_size = static_cast<std::size_t>(std::max(6, dim) * std::max(6, dim));
+  const dense::AddEdges add_edges = add_edges_for(2, {6, 3, dim});
   ASSERT_NE(add_edges, nullptr);
   constexpr int kCount = 11;
-  const Edges edges(kCount, kRows, 6, 6, EdgeNumbers::kFull, random);
+  const Edges edges(kCount, 2, 6, 3 + dim, EdgeNumbers::kFull, random);
   const auto jacobian = edges.in_lanes(edges.jacobians), error = edges.in_lanes(edges.errors);
   for (const bool transposed : {false, true}) {
     std::vector<std::uint32_t> targets{0, 6, 9};
@@ -155,28 +157,32 @@ TEST_P(EdgeLanes, AddEveryBlockOfAnEdgeWithThreeVertices) {
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j <= i; ++j) {
         const std::uint32_t flag = transposed && j < i ? dense::kTransposedTarget : 0;
-        targets.push_back(static_cast<std::uint32_t>(36 * pairs.size()) | flag);
+        targets.push_back(static_cast<std::uint32_t>(block_size * pairs.size()) | flag);
         pairs.emplace_back(i, j);
       }
     }
     const std::vector<const std::uint32_t*> target_of(kCount, targets.data());
-    std::vector<double> values(36 * pairs.size()), gradient(kColumns);
+    std::vector<double> values(block_size * pairs.size()), gradient(static_cast<std::size_t>(columns));
     add_edges({kCount, jacobian.data(), error.data(), EdgeNumbers::kFull, edges.omega.data(), nullptr,
                target_of.data(), values.data(), gradient.data()});
-    Matrix h = Matrix::Zero(kColumns, kColumns), g = Matrix::Zero(kColumns, 1);
+    Matrix h = Matrix::Zero(columns, columns), g = Matrix::Zero(columns, 1);
     for (std::size_t k = 0; k < kCount; ++k) {
       h += edges.jacobians[k].transpose() * edges.omegas[k] * edges.jacobians[k];
       g += edges.jacobians[k].transpose() * edges.omegas[k] * edges.errors[k];
     }
-    EXPECT_LE((Eigen::Map<Matrix>(gradient.data(), kColumns, 1) - g).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LE((Eigen::Map<Matrix>(gradient.data(), columns, 1) - g).cwiseAbs().maxCoeff(), 1e-12);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       auto [i, j] = pairs[k];
       if (transposed && j < i) std::swap(i, j);
-      const Matrix expected = h.block(kFirst[i], kFirst[j], kDims[i], kDims[j]);
-      const Eigen::Map<Matrix> block(&values[36 * k], kDims[i], kDims[j]);
-      EXPECT_LE((block - expected).cwiseAbs().maxCoeff(), 1e-12) << i << ' ' << j;
+      const Matrix expected = h.block(first[i], first[j], dims[i], dims[j]);
+      const Eigen::Map<Matrix> block(&values[block_size * k], dims[i], dims[j]);
+      EXPECT_LE((block - expected).cwiseAbs().maxCoeff(), 1e-12) << i << ' ' << j << ' ' << dim;
     }
   }
+}
+
+TEST_P(EdgeLanes, AddEveryBlockOfAnEdgeWithThreeVertices) {
+  for (const int dim : {3, 4, 5, 8, 12}) expect_every_block_with_camera(dim);
 }
 
 TEST_P(EdgeLanes, AddTheSameBitsForAnEdgeWhicheverEdgesShareItsTile) {

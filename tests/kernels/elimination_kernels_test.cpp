@@ -43,7 +43,8 @@ class EliminationKernelsTest : public EveryIsa {
 };
 
 TEST_P(EliminationKernelsTest, ExistForCamerasAndPointsOfCommonSizes) {
-  constexpr int kCommon[][2] = {{6, 3}, {7, 3}, {9, 3}, {3, 2}, {2, 2}, {3, 3}, {4, 3}, {6, 1}};
+  constexpr int kCommon[][2] = {{6, 3}, {7, 3}, {9, 3}, {3, 2}, {2, 2}, {3, 3},
+                                {4, 3}, {5, 3}, {8, 3}, {6, 1}, {12, 3}};
   for (const auto& [rows, dim] : kCommon) {
     EXPECT_NE(GetParam()->elimination_kernels_for(rows, dim), nullptr) << rows << " x " << dim;
   }

@@ -47,23 +47,30 @@ Vector2 project(const double* parameters, const Vector3& point) {
 }
 
 template <class Camera>
-constexpr CameraType type_of(int model_id) {
-  return {Camera::kName,      model_id,        Camera::kSize,   Camera::Model::kFocalLengths,
-          add_camera<Camera>, observe<Camera>, is_pool<Camera>, values<Camera>,
+constexpr CameraType type_of() {
+  return {Camera::kName,      Camera::Model::kColmapId, Camera::kSize,   Camera::Model::kFocalLengths,
+          add_camera<Camera>, observe<Camera>,          is_pool<Camera>, values<Camera>,
           pixel<Camera>,      project<Camera>};
 }
 
-constexpr std::array kTypes{type_of<SimplePinholeCamera>(0),
-                            type_of<PinholeCamera>(1),
-                            type_of<SimpleRadialCamera>(2),
-                            type_of<RadialCamera>(3),
-                            type_of<OpenCvCamera>(4),
-                            type_of<OpenCvFisheyeCamera>(5),
-                            type_of<FullOpenCvCamera>(6),
-                            type_of<FovCamera>(7),
-                            type_of<SimpleRadialFisheyeCamera>(8),
-                            type_of<RadialFisheyeCamera>(9),
-                            type_of<ThinPrismFisheyeCamera>(10)};
+template <class Camera>
+constexpr bool kIsOfColmap = requires {
+  Camera::Model::kColmapId;
+};
+
+template <class... Camera>
+constexpr auto types_of(detail::CameraTypes<Camera...> cameras) {
+  std::array<CameraType, (std::size_t{kIsOfColmap<Camera>} + ...)> types{};
+  auto next = types.begin();
+  cameras.for_each([&]<class C>() {
+    if constexpr (kIsOfColmap<C>) *next++ = type_of<C>();
+  });
+  std::sort(types.begin(), types.end(),
+            [](const CameraType& a, const CameraType& b) { return a.model_id < b.model_id; });
+  return types;
+}
+
+constexpr auto kTypes = types_of(detail::CameraList());
 
 template <class Predicate>
 const CameraType* find(Predicate predicate) {

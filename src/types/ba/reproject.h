@@ -73,7 +73,13 @@ void reproject(const Reprojections& edges, double* error, double* jacobian) {
   }
 }
 
-const ReprojectionKernels kReprojectionKernels{reproject<BalCamera>, reproject<PinholeCamera>,
-                                               reproject<SimpleRadialCamera>};
+template <class>
+struct KernelsOf;
+template <class... Camera>
+struct KernelsOf<detail::CameraTypes<Camera...>> {
+  static constexpr Reproject kAll[]{reproject<Camera>...};
+};
+
+constinit const Reproject* const kReprojectionKernels = KernelsOf<detail::CameraList>::kAll;
 
 }  // namespace boxplus::dense::BOXPLUS_ISA

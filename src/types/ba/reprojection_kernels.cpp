@@ -5,7 +5,7 @@
 
 namespace boxplus::dense {
 
-const ReprojectionKernels& reprojection_kernels() {
+const Reproject* reprojection_kernels() {
 #ifdef BOXPLUS_X86_KERNELS
   if (&kernels() == &avx512::kTable) return avx512::kReprojectionKernels;
   if (&kernels() == &avx2::kTable) return avx2::kReprojectionKernels;

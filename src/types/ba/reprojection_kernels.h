@@ -17,21 +17,17 @@ struct Reprojections {
 /// Writes the errors and, unless `jacobian` is null, the Jacobians in lanes (kernels/kernel_table.h).
 using Reproject = void (*)(const Reprojections& edges, double* error, double* jacobian);
 
-struct ReprojectionKernels {
-  Reproject bal, pinhole, simple_radial;
-};
-
-/// The kernels for the instruction set of kernels().
-const ReprojectionKernels& reprojection_kernels();
+/// The kernels for the instruction set of kernels(): one for each camera of CameraList, in its order.
+const Reproject* reprojection_kernels();
 
 namespace baseline {
-extern const ReprojectionKernels kReprojectionKernels;
+extern const Reproject* const kReprojectionKernels;
 }
 namespace avx2 {
-extern const ReprojectionKernels kReprojectionKernels;
+extern const Reproject* const kReprojectionKernels;
 }
 namespace avx512 {
-extern const ReprojectionKernels kReprojectionKernels;
+extern const Reproject* const kReprojectionKernels;
 }
 
 }  // namespace boxplus::dense

@@ -163,8 +163,8 @@ TEST(CameraModels, HaveTheNamesOfColmap) {
   std::vector<std::string_view> names;
   for_each_camera([&](const auto& camera) { names.push_back(camera.kName); });
   EXPECT_THAT(names, testing::ElementsAre("BAL", "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL",
-                                          "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "SIMPLE_RADIAL_FISHEYE",
-                                          "RADIAL_FISHEYE", "FOV", "THIN_PRISM_FISHEYE"));
+                                          "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV",
+                                          "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"));
   EXPECT_THAT(OpenCvCamera::Model::kParameters,
               testing::ElementsAre("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"));
 }

@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A camera of every model with all of its terms, and points that they see.
+// A camera of every model with all of its terms, and points that it sees.
 #pragma once
 
-#include <tuple>
+#include <map>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "boxplus/types/ba/camera_models.h"
 
 namespace boxplus {
 
-inline const auto kExampleCameras = std::tuple(
-    BalCamera(500, -0.1, 0.03), SimplePinholeCamera(500, 320, 240), PinholeCamera(500, 510, 320, 240),
-    SimpleRadialCamera(500, 320, 240, -0.1), RadialCamera(500, 320, 240, -0.1, 0.03),
-    OpenCvCamera(500, 510, 320, 240, -0.1, 0.03, 0.002, -0.003),
-    OpenCvFisheyeCamera(300, 310, 320, 240, 0.05, -0.01, 0.004, -0.001),
-    FullOpenCvCamera(500, 510, 320, 240, -0.1, 0.03, 0.002, -0.003, 0.01, 0.2, 0.05, -0.01),
-    SimpleRadialFisheyeCamera(300, 320, 240, 0.05), RadialFisheyeCamera(300, 320, 240, 0.05, -0.01),
-    FovCamera(300, 310, 320, 240, 0.9),
-    ThinPrismFisheyeCamera(300, 310, 320, 240, 0.05, -0.01, 0.002, -0.003, 0.004, -0.001, 0.001, -0.002));
+/// A camera with a value for each parameter, by its name.
+template <class Camera>
+Camera example_camera() {
+  static const std::map<std::string_view, double> kValues{
+      {"f", 500},   {"fx", 500},   {"fy", 510},   {"cx", 320},    {"cy", 240},   {"k", -0.1},
+      {"k1", -0.1}, {"k2", 0.03},  {"k3", 0.01},  {"k4", 0.02},   {"k5", 0.05},  {"k6", -0.01},
+      {"p1", 2e-3}, {"p2", -3e-3}, {"sx1", 1e-3}, {"sy1", -2e-3}, {"omega", 0.9}};
+  Camera camera;
+  for (int i = 0; i < Camera::kSize; ++i)
+    camera.parameters[i] = kValues.at(Camera::Model::kParameters[static_cast<std::size_t>(i)]);
+  return camera;
+}
 
-/// Calls f(camera) for each of them.
+/// Calls f(camera) with an example of every camera.
 template <class F>
 void for_each_camera(F&& f) {
-  std::apply([&](const auto&... camera) { (f(camera), ...); }, kExampleCameras);
+  detail::CameraList::for_each([&]<class Camera>() { f(example_camera<Camera>()); });
 }
 
 /// The axis along which a camera looks: 1 for z, −1 for −z.

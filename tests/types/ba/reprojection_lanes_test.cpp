@@ -7,6 +7,7 @@
 
 #include "boxplus/graph/graph.h"
 #include "kernels/every_isa.h"
+#include "types/ba/example_cameras.h"
 
 namespace boxplus {
 namespace {
@@ -24,10 +25,8 @@ struct Scene {
   }
   template <class Camera>
   Camera camera() {
-    Camera camera;
-    for (int i = 0; i < Camera::kSize; ++i) camera.parameters[i] = number(-0.1, 0.1);
-    camera.parameters[0] = number(400, 500);
-    if (Camera::kSize == 4) camera.parameters.template segment<2>(1) = Vector2(450, 310);
+    Camera camera = example_camera<Camera>();
+    for (double& parameter : camera.parameters) parameter *= number(0.9, 1.1);
     return camera;
   }
 };
@@ -53,7 +52,9 @@ void expect_plain_values(const Graph& graph) {
     ASSERT_TRUE(lanes.in_lanes);
     ASSERT_FALSE(plain.in_lanes);
     ASSERT_TRUE(pool.errors_in_lanes(edges, only_error.data()));
-    EXPECT_EQ(only_error, error);
+    // Without derivatives, the compiler may contract other products and sums to one rounding.
+    for (std::size_t m = 0; m < error.size(); ++m)
+      ASSERT_NEAR(only_error[m], error[m], 1e-15 * (1000 + std::abs(error[m])));
     const auto expect_near = [&](const std::vector<double>& in_lanes, const std::vector<double>& expected,
                                  std::size_t size) {
       for (std::size_t k = 0; k < count; ++k) {
@@ -68,16 +69,12 @@ void expect_plain_values(const Graph& graph) {
   }
 }
 
+/// The forms of an edge with a camera.
 template <class Camera>
-void expect_plain_values_for() {
-  Scene scene;
+struct Forms {
   Graph apart, together, calibrated;
-  const double z = std::is_same_v<Camera, BalCamera> ? 5 : -5;  // BAL's camera looks along −z
-  for (int k = 0; k < 20; ++k) {
-    const SE3 pose = scene.pose(z);
-    const Camera camera = scene.camera<Camera>();
-    const Vector3 point = scene.vector(1);
-    const Vector2 pixel(scene.number(0, 600), scene.number(0, 600));
+
+  void add(const Vector2& pixel, const SE3& pose, const Vector3& point, const Camera& camera) {
     apart.add_edge(Reprojection<Camera>(pixel), apart.add_vertex(pose), apart.add_vertex(point),
                    apart.add_vertex(camera));
     together.add_edge(Reprojection<Camera>(pixel), together.add_vertex(Product<SE3, Camera>(pose, camera)),
@@ -85,15 +82,38 @@ void expect_plain_values_for() {
     calibrated.add_edge(CalibratedReprojection<Camera>(pixel, camera), calibrated.add_vertex(pose),
                         calibrated.add_vertex(point));
   }
-  expect_plain_values(apart);
-  expect_plain_values(together);
-  expect_plain_values(calibrated);
-}
+  void expect_plain_values() const {
+    SCOPED_TRACE(Camera::kName);
+    boxplus::expect_plain_values(apart);
+    boxplus::expect_plain_values(together);
+    boxplus::expect_plain_values(calibrated);
+  }
+};
 
 TEST_P(ReprojectionLanes, ComputeThePlainValuesOfEveryCameraAndFormOfTheEdge) {
-  expect_plain_values_for<BalCamera>();
-  expect_plain_values_for<PinholeCamera>();
-  expect_plain_values_for<SimpleRadialCamera>();
+  detail::CameraList::for_each([]<class Camera>() {
+    Scene scene;
+    Forms<Camera> forms;
+    for (int k = 0; k < 20; ++k) {
+      const SE3 pose = scene.pose(-5 * kForward<Camera>);
+      const Camera camera = scene.camera<Camera>();
+      const Vector3 point = scene.vector(1);
+      forms.add({scene.number(0, 600), scene.number(0, 600)}, pose, point, camera);
+    }
+    forms.expect_plain_values();
+  });
+}
+
+TEST_P(ReprojectionLanes, ComputeThePlainValuesOnEveryBranchOfTheFormulas) {
+  detail::CameraList::for_each([]<class Camera>() {
+    Forms<Camera> forms;
+    const auto camera = example_camera<Camera>();
+    for (const Vector3& point : points_seen_by(camera)) {
+      forms.add(Vector2(320, 240), SE3(), point, camera);
+      forms.add(Vector2(320, 240), SE3(), -point, camera);
+    }
+    forms.expect_plain_values();
+  });
 }
 
 TEST_P(ReprojectionLanes, AreFiniteForAPointInTheCenterOfTheCamera) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "boxplus/graph/typed_edge_pool.h"
 #include "boxplus/types/ba/reprojection.h"
@@ -13,9 +12,7 @@ namespace boxplus::detail {
 
 /// Whether the library has kernels for edges with this camera.
 template <class Camera>
-inline constexpr bool kHasReprojectionKernel =
-    std::is_same_v<Camera, BalCamera> || std::is_same_v<Camera, PinholeCamera> ||
-    std::is_same_v<Camera, SimpleRadialCamera>;
+inline constexpr bool kHasReprojectionKernel = CameraList::place_of<Camera>() >= 0;
 
 /// The arrays of an edge: the pixel, the pose of the camera, the point, and the parameters of the camera.
 inline constexpr int kReprojectionSources = 4;
@@ -27,24 +24,18 @@ struct ReprojectionColumns {
   int point, camera;
 };
 
-/// Computes errors and, unless `jacobian` is null, Jacobians in lanes (EdgeTile).
-template <class Camera>
-void linearize_reprojections(int count, const LaneSources<kReprojectionSources>& sources,
+/// Computes errors and, unless `jacobian` is null, Jacobians in lanes (EdgeTile). `camera` is the place of
+/// the camera in CameraList.
+void linearize_reprojections(int camera, int count, const LaneSources<kReprojectionSources>& sources,
                              ReprojectionColumns columns, double* error, double* jacobian);
-extern template void linearize_reprojections<BalCamera>(int, const LaneSources<kReprojectionSources>&,
-                                                        ReprojectionColumns, double*, double*);
-extern template void linearize_reprojections<PinholeCamera>(int, const LaneSources<kReprojectionSources>&,
-                                                            ReprojectionColumns, double*, double*);
-extern template void linearize_reprojections<SimpleRadialCamera>(int,
-                                                                 const LaneSources<kReprojectionSources>&,
-                                                                 ReprojectionColumns, double*, double*);
 
 template <class Camera, int kPointColumn, int kCameraColumn>
 struct ReprojectionKernel {
   static constexpr bool kExists = true;
   static constexpr int kSources = kReprojectionSources;
   static void linearize(int count, const LaneSources<kSources>& sources, double* error, double* jacobian) {
-    linearize_reprojections<Camera>(count, sources, {kPointColumn, kCameraColumn}, error, jacobian);
+    linearize_reprojections(CameraList::place_of<Camera>(), count, sources, {kPointColumn, kCameraColumn},
+                            error, jacobian);
   }
 };
 
