@@ -162,7 +162,7 @@ void ClosureSearch::accept_in_stages() {
   constexpr int kMostStages = 200, kOdometryIterations = 10, kIterations = 3, kMostInflations = 4;
   bridge_gaps();
   optimize_briefly(kOdometryIterations, Start::kOdometry);
-  for (int stage = 0; stage < kMostStages && !stopped(); ++stage) {
+  for (int stage = 0; stage < kMostStages && !was_stopped(); ++stage) {
     const std::vector<Deviation> found = deviations(kFewTrees);
     bool is_certain = false;
     // Where the odometry is worse than its Ω says, only a larger scale explains true closures.
@@ -289,7 +289,7 @@ std::vector<Deviation> ClosureSearch::deviations(std::uint32_t trees) const {
 
 void ClosureSearch::settle() {
   constexpr int kMostPasses = 10, kMostAdditions = 5, kIterations = 10;
-  for (int pass = 0; pass < kMostPasses && !stopped(); ++pass) {
+  for (int pass = 0; pass < kMostPasses && !was_stopped(); ++pass) {
     optimize_briefly(kIterations);
     if (!reconsider(pass < kMostAdditions)) return;
   }
@@ -325,10 +325,11 @@ std::vector<EdgeVerdict> ClosureSearch::verdicts() const {
     verdict.weight = accepted_[k];
     verdict.chi2 = chi2_[k];
     verdict.supported = is_supported(k);
-    if (accepted_[k] && !is_bridge_[k]) verdict.verdict = Verdict::kInlier;
+    if (!was_stopped() && accepted_[k] && !is_bridge_[k]) verdict.verdict = Verdict::kInlier;
     const double odds = evidence_.log_odds(found[k], scale) + (is_supported(k) ? group_bonus(k) : 0);
     const bool is_unlikely = odds < (is_supported(k) ? needed.by_group : needed.by_lone) - kFarBelow;
-    if (!accepted_[k] && is_unlikely && chi2_[k] > kFarAbove * limit(k)) verdict.verdict = Verdict::kOutlier;
+    if (!was_stopped() && !accepted_[k] && is_unlikely && chi2_[k] > kFarAbove * limit(k))
+      verdict.verdict = Verdict::kOutlier;
     result.push_back(verdict);
   }
   return result;

@@ -35,6 +35,8 @@ class ClosureSearch {
   /// The scale of the noise that explains the accepted closures.
   double noise_scale() const;
   const std::string& note() const { return note_; }
+  /// Whether Options::stop ended the search.
+  bool was_stopped() const { return options_.options.stop != nullptr && options_.options.stop->load(); }
 
  private:
   struct Needed {
@@ -56,7 +58,6 @@ class ClosureSearch {
   void optimize_briefly(int iterations, Start start = Start::kCurrent);
   void measure();
   double limit(std::size_t closure) const { return quantile_[closure] * limit_scale_; }
-  bool stopped() const { return options_.options.stop != nullptr && options_.options.stop->load(); }
 
   Graph& graph_;
   const PoseGraph& poses_;

@@ -41,7 +41,7 @@ OutlierReport search(Graph& graph, const outliers::PoseGraph& poses, const Outli
   result.report = search.finish();
   result.verdicts = search.verdicts();
   result.noise_scale = search.noise_scale();
-  result.note = search.note();
+  result.note = search.was_stopped() ? "the search was stopped, so no closure is judged" : search.note();
   return result;
 }
 
