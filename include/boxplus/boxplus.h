@@ -13,6 +13,7 @@
 //     io/registry.h, io/file_format.h      custom file tags and formats
 //     optimize/algorithm.h                 custom algorithms
 //     optimize/diagnose.h                  what is wrong with a graph
+//     optimize/outliers.h                  which loop closures are false
 //     linear/linear_solver.h               custom linear solvers
 //     testing/check_jacobians.h, …         checks of custom types
 #pragma once
