@@ -39,7 +39,7 @@ void bind_function(py::module_& module, const char* name, Function function, con
         const py::gil_scoped_release release;
         return CovarianceObject{function(run.graph(), refs, native), graph};
       },
-      py::arg("graph"), py::arg("vertices"), py::arg("options") = py::none(), doc);
+      py::arg("graph").none(false), py::arg("vertices"), py::arg("options") = py::none(), doc);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ class OptimizerObject {
 
 void bind_optimizer(py::module_& module) {
   module.def(
-      "optimize", &optimize_graph, py::arg("graph"), py::arg("options") = py::none(),
+      "optimize", &optimize_graph, py::arg("graph").none(false), py::arg("options") = py::none(),
       "optimize(graph, max_iterations=20): minimizes Σ ρ(eᵀΩe) over the estimates, in place. The options are "
       "an Options, keyword arguments, or both. Other threads of Python run meanwhile. Ctrl-C "
       "(KeyboardInterrupt) or an exception of the callback ends the run after the current iteration; the "
@@ -105,8 +105,8 @@ void bind_optimizer(py::module_& module) {
   py::class_<OptimizerObject>(
       module, "Optimizer",
       "Optimizer(graph, options=None, **options): keeps its plan and its memory between runs.")
-      .def(py::init<std::shared_ptr<GraphObject>, py::handle, const py::kwargs&>(), py::arg("graph"),
-           py::arg("options") = py::none())
+      .def(py::init<std::shared_ptr<GraphObject>, py::handle, const py::kwargs&>(),
+           py::arg("graph").none(false), py::arg("options") = py::none())
       .def("run", &OptimizerObject::run, "Optimizes; the plan is reused if the structure has not changed.")
       .def_property_readonly("options", &OptimizerObject::options, py::return_value_policy::copy)
       .def("set_options", &OptimizerObject::set_options, py::arg("options") = py::none());

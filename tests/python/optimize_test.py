@@ -75,6 +75,12 @@ class Runs(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "options: expected an Options or None, got 3"):
             optimize(graph, 3)
 
+    def test_no_graph_is_refused(self):
+        for function in (optimize, Optimizer, lambda graph: boxplus.covariance(graph, [])):
+            for graph in (None, 3):
+                with self.assertRaises(TypeError):
+                    function(graph)
+
     def test_only_listed_vertices_move(self):
         graph, _ = square()
         optimize(graph, vertices=[graph.vertex(2)])
