@@ -61,6 +61,10 @@ ClosureSearch::ClosureSearch(Graph& graph, const PoseGraph& poses, const Odometr
 
 // ---- Runs ----
 
+std::size_t ClosureSearch::accepted_count() const {
+  return static_cast<std::size_t>(std::count(accepted_.begin(), accepted_.end(), 1));
+}
+
 std::vector<const PoseEdge*> ClosureSearch::accepted_edges() const {
   std::vector<const PoseEdge*> edges;
   for (const PoseEdge& link : poses_.links) edges.push_back(&link);
@@ -160,14 +164,17 @@ void ClosureSearch::bridge_gaps() {
 
 void ClosureSearch::accept_in_stages() {
   constexpr int kMostStages = 200, kOdometryIterations = 10, kIterations = 3, kMostInflations = 4;
+  constexpr double kFew = 0.02;  // not enough for a run of its own
   bridge_gaps();
   optimize_briefly(kOdometryIterations, Start::kOdometry);
   for (int stage = 0; stage < kMostStages && !was_stopped(); ++stage) {
     const std::vector<Deviation> found = deviations(kFewTrees);
-    bool is_certain = false;
     // Where the odometry is worse than its Ω says, only a larger scale explains true closures.
-    for (int inflation = 0; !is_certain && inflation <= kMostInflations; ++inflation)
-      is_certain = add_certain(found, noise_scale() * std::exp2(2 * inflation));
+    std::size_t added = 0;
+    const double scale = noise_scale(), few = kFew * static_cast<double>(accepted_count());
+    for (int inflation = 0; static_cast<double>(added) <= few && inflation <= kMostInflations; ++inflation)
+      added += add_certain(found, scale * std::exp2(2 * inflation));
+    const bool is_certain = added > 0;
     if (!is_certain && !add_on_trial(deviations(kManyTrees))) return;
     optimize_briefly(kIterations);
     eject(is_certain ? 1 : kMostEjections);
@@ -181,19 +188,19 @@ bool ClosureSearch::may_add(std::size_t closure) const {
 /// If closures agree with each other, either all of them are false or none is. False groups are small, so a
 /// large group needs less evidence.
 double ClosureSearch::group_bonus(std::size_t closure) const {
-  constexpr double kLargestFalseGroup = 10;
+  constexpr double kLargestFalseGroup = 10, kMost = 6;
   if (!is_supported(closure)) return -kMoreEvidence;
-  return std::log(std::max(1.0, cycles_.group_size[closure] / kLargestFalseGroup));
+  return std::clamp((cycles_.group_size[closure] - kLargestFalseGroup) / kLargestFalseGroup, 0.0, kMost);
 }
 
-/// Accepts the closures with enough evidence. Returns whether there were any.
-bool ClosureSearch::add_certain(std::span<const Deviation> deviations, double scale) {
-  bool added = false;
+/// Accepts the closures with enough evidence, and returns their number.
+std::size_t ClosureSearch::add_certain(std::span<const Deviation> deviations, double scale) {
+  std::size_t added = 0;
   for (std::size_t k = 0; k < deviations.size(); ++k) {
     if (!may_add(k) || evidence_.log_odds(deviations[k], scale) + group_bonus(k) < options_.evidence)
       continue;
     accepted_[k] = 1;
-    added = true;
+    ++added;
   }
   return added;
 }
@@ -253,7 +260,7 @@ void ClosureSearch::eject(int penalty) {
 std::vector<Deviation> ClosureSearch::deviations(std::uint32_t trees) const {
   const std::vector<Motion> estimates = poses_.estimates(graph_);
   const std::vector<const PoseEdge*> edges = accepted_edges();
-  if (std::find(accepted_.begin(), accepted_.end(), 0) == accepted_.end()) trees = 0;  // nothing to compare
+  if (accepted_count() == accepted_.size()) trees = 0;  // nothing to compare
   const Neighbors neighbors(estimates.size(), edges);
   std::vector<PathTree> paths;
   const auto count = static_cast<std::uint32_t>(estimates.size());
