@@ -119,7 +119,7 @@ Report ClosureSearch::finish() {
 }
 
 bool ClosureSearch::may_accept_all() const {
-  constexpr double kMostUnsupported = 0.02, kMostContradictory = 0.002, kTolerance = 16;
+  constexpr double kMostUnsupported = 0.02, kMostContradictory = 0.002, kTolerance = 16, kFew = 0.05;
   std::size_t unsupported = 0, contradictory = 0;
   for (std::size_t k = 0; k < poses_.closures.size(); ++k) {
     const PoseEdge& closure = poses_.closures[k];
@@ -131,6 +131,7 @@ bool ClosureSearch::may_accept_all() const {
     contradictory += evidence_.log_odds(deviation, kTolerance * cycles_.noise_scale) < -options_.evidence;
   }
   const auto count = static_cast<double>(poses_.closures.size());
+  if (count <= kFew * static_cast<double>(poses_.poses.size())) return true;  // a run with them is cheap
   return static_cast<double>(unsupported) <= kMostUnsupported * count &&
          static_cast<double>(contradictory) <= kMostContradictory * count;
 }
@@ -141,7 +142,10 @@ bool ClosureSearch::accept_all() {
   options.start = Start::kAutomatic;
   options.callback = {};
   const Report report = optimize_accepted(options);
-  bool all_fit = report.converged();
+  // False closures may also bend the odometry until they fit.
+  constexpr double kMostChi2 = 4;
+  bool all_fit =
+      report.converged() && !(report.chi2_per_degree() > std::max(1.0, kMostChi2 * cycles_.noise_scale));
   for (std::size_t k = 0; k < chi2_.size(); ++k) all_fit = all_fit && chi2_[k] <= kFarAbove * limit(k);
   if (!all_fit) std::fill(accepted_.begin(), accepted_.end(), 0);
   if (all_fit) all_accepted_ = report;
@@ -315,28 +319,39 @@ bool ClosureSearch::reconsider(bool may_add) {
   return changed;
 }
 
-std::vector<EdgeVerdict> ClosureSearch::verdicts() const {
+std::vector<EdgeVerdict> ClosureSearch::verdicts() {
   /// With this much less evidence than needed, a closure is more likely false than true.
   constexpr double kFarBelow = 2;
   const std::vector<Deviation> found = deviations(kManyTrees);
   const double scale = noise_scale();
   const Needed needed = needed_on_trial();
+  const auto bonus = [&](std::size_t k) { return is_supported(k) ? group_bonus(k) : 0; };
+  const auto is_testable = [&](std::size_t k) {
+    return accepted_[k] || evidence_.most(found[k].spread, scale) + bonus(k) >= options_.evidence;
+  };
+  std::size_t untestable = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) untestable += !is_testable(k);
+  // If the estimates rest on fewer closures than cannot be tested, they are not good enough to condemn any.
+  const bool is_vague = untestable > accepted_count();
+  if (is_vague && note_.empty()) {
+    note_ =
+        fmt::format("{} loop closures are undecided, because the paths between their poses are too uncertain",
+                    untestable);
+  }
   std::vector<EdgeVerdict> result;
-  for (std::size_t k = 0; k < chi2_.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double odds = evidence_.log_odds(found[k], scale) + bonus(k);
+    const bool is_unlikely = odds < (is_supported(k) ? needed.by_group : needed.by_lone) - kFarBelow &&
+                             chi2_[k] > kFarAbove * limit(k) && (is_testable(k) || !is_vague);
     const PoseEdge& closure = poses_.closures[k];
-    EdgeVerdict verdict;
-    verdict.edge = closure.edge;
-    const std::vector<VertexRef> ends{poses_.poses[closure.from], poses_.poses[closure.to]};
-    verdict.from = graph_.id(ends[0]);
-    verdict.to = graph_.id(ends[1]);
-    verdict.weight = accepted_[k];
-    verdict.chi2 = chi2_[k];
-    verdict.supported = is_supported(k);
+    EdgeVerdict verdict{.edge = closure.edge,
+                        .from = graph_.id(poses_.poses[closure.from]),
+                        .to = graph_.id(poses_.poses[closure.to]),
+                        .weight = static_cast<double>(accepted_[k]),
+                        .chi2 = chi2_[k],
+                        .supported = is_supported(k)};
     if (!was_stopped() && accepted_[k] && !is_bridge_[k]) verdict.verdict = Verdict::kInlier;
-    const double odds = evidence_.log_odds(found[k], scale) + (is_supported(k) ? group_bonus(k) : 0);
-    const bool is_unlikely = odds < (is_supported(k) ? needed.by_group : needed.by_lone) - kFarBelow;
-    if (!was_stopped() && !accepted_[k] && is_unlikely && chi2_[k] > kFarAbove * limit(k))
-      verdict.verdict = Verdict::kOutlier;
+    if (!was_stopped() && !accepted_[k] && is_unlikely) verdict.verdict = Verdict::kOutlier;
     result.push_back(verdict);
   }
   return result;

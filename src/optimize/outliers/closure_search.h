@@ -31,7 +31,8 @@ class ClosureSearch {
   /// Optimizes the graph with the accepted edges, by the options of the caller.
   Report finish();
 
-  std::vector<EdgeVerdict> verdicts() const;
+  /// The verdicts at the current estimates. If many closures cannot be judged, note() says so.
+  std::vector<EdgeVerdict> verdicts();
   /// The scale of the noise that explains the accepted closures.
   double noise_scale() const;
   const std::string& note() const { return note_; }
