@@ -333,7 +333,10 @@ std::vector<EdgeVerdict> ClosureSearch::verdicts() {
   for (std::size_t k = 0; k < found.size(); ++k) untestable += !is_testable(k);
   // If the estimates rest on fewer closures than cannot be tested, they are not good enough to condemn any.
   const bool is_vague = untestable > accepted_count();
-  if (is_vague && note_.empty()) {
+  if (leaves_parts_apart(graph_, poses_, chain_, accepted_)) {
+    note_ =
+        "no accepted closure bridges some of the gaps in the odometry, so parts of the map are not connected";
+  } else if (is_vague && note_.empty()) {
     note_ =
         fmt::format("{} loop closures are undecided, because the paths between their poses are too uncertain",
                     untestable);
