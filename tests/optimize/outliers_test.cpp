@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -177,6 +178,45 @@ TEST(FindOutliers, SaysThatAGapIsBridgedByAClosureThatCannotBeJudged) {
   EXPECT_EQ(found.verdicts[0].verdict, Verdict::kUndecided);
   EXPECT_EQ(found.verdicts[0].weight, 1);
   EXPECT_THAT(found.note, HasSubstr("1 gap in the odometry"));
+}
+
+TEST(FindOutliers, JudgesNoClosureIfItIsStopped) {
+  Example example(simulated(World::kManhattan, 300), {.fraction = 0.3});
+  const std::atomic<bool> stop = true;
+  OutlierOptions options;
+  options.options.stop = &stop;
+  const OutlierReport found = find_outliers(example.graph, options);
+  EXPECT_FALSE(found.report.converged());
+  EXPECT_EQ(found.count(Verdict::kUndecided), found.verdicts.size());
+  EXPECT_THAT(found.note, HasSubstr("stopped"));
+}
+
+TEST(FindOutliers, FindsTheSameBitsWithAnyNumberOfThreads) {
+  const Example example(simulated(World::kSphere, 600), {.fraction = 0.5});
+  double chi2[2];
+  for (const int threads : {1, 2}) {
+    Graph graph = example.graph;
+    OutlierOptions options;
+    options.options.threads = threads;
+    chi2[threads - 1] = find_outliers(graph, options).report.chi2_final;
+  }
+  EXPECT_EQ(chi2[0], chi2[1]);
+}
+
+TEST(FindOutliers, KeepsObservationsOfLandmarks) {
+  Graph clean = simulated(World::kManhattan, 300);
+  const auto landmark = clean.add_vertex(Vector2(3, 4));
+  for (const Id id : {10, 20, 30}) {
+    const auto pose = clean.vertex<SE2>(id);
+    clean.add_edge(PointObservation2(clean.estimate(pose).inverse_times(Vector2(3, 4))), 0.01, pose,
+                   landmark);
+  }
+  Example example(std::move(clean), {.fraction = 0.3});
+  const OutlierReport found = find_outliers(example.graph);
+  EXPECT_TRUE(found.report.converged()) << found.report.message;
+  EXPECT_LE(wrong_verdicts(found, example.false_closures), 0.02 * static_cast<double>(found.verdicts.size()));
+  EXPECT_EQ(found.report.edges + found.verdicts.size() - found.count(Verdict::kInlier),
+            example.graph.edge_count());
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace boxplus {
 enum class Verdict : std::uint8_t {
   kInlier,    ///< the closure agrees with the map; it takes part in the final run
   kOutlier,   ///< the closure is false
-  kUndecided  ///< there is not enough evidence for either; the closure takes no part in the final run
+  kUndecided  ///< not enough evidence; it takes no part in the final run, unless it bridges a gap
 };
 std::string_view to_string(Verdict verdict);
 
@@ -40,9 +40,9 @@ struct OutlierOptions {
 /// The verdict on one closure.
 struct EdgeVerdict {
   EdgeRef edge;
-  Id from = 0, to = 0;  ///< the ids of its two poses
+  Id from = 0, to = 0;  ///< the ids of its two poses; `from` is the lower one
   Verdict verdict = Verdict::kUndecided;
-  double weight = 0;  ///< the factor of its Ω in the final run: 1 for an inlier, otherwise 0
+  double weight = 0;  ///< the factor of its Ω in the final run: 1 if it takes part, otherwise 0
   double chi2 = 0;    ///< eᵀΩe at the final estimates
   /// Whether it agrees with a neighboring closure: the cycle through both closures and the odometry between
   /// their ends closes, to within the uncertainty.
@@ -89,7 +89,12 @@ struct [[nodiscard]] OutlierReport {
 /// Edges keep their kernels and enabled flags; no edge is removed. Disabled edges are ignored. Throws
 /// InvalidArgument if `options` are out of their ranges, and if the graph has closures but no odometry.
 ///
-/// Takes about as long as 5 to 15 runs of optimize() without the false closures.
+/// If most paths between poses are too uncertain to test closures, no closure is an outlier only because its
+/// error is large, and `note` says so. If Options::stop ends the search, all verdicts are kUndecided.
+///
+/// If all closures may be true, the function first optimizes with all of them, and ends if they fit: this
+/// takes as long as one or two runs of optimize(). Otherwise, it takes about as long as 3 to 15 runs without
+/// the false closures.
 OutlierReport find_outliers(Graph& graph, const OutlierOptions& options = {});
 
 }  // namespace boxplus

@@ -61,6 +61,10 @@ ClosureSearch::ClosureSearch(Graph& graph, const PoseGraph& poses, const Odometr
 
 // ---- Runs ----
 
+std::size_t ClosureSearch::accepted_count() const {
+  return static_cast<std::size_t>(std::count(accepted_.begin(), accepted_.end(), 1));
+}
+
 std::vector<const PoseEdge*> ClosureSearch::accepted_edges() const {
   std::vector<const PoseEdge*> edges;
   for (const PoseEdge& link : poses_.links) edges.push_back(&link);
@@ -115,7 +119,7 @@ Report ClosureSearch::finish() {
 }
 
 bool ClosureSearch::may_accept_all() const {
-  constexpr double kMostUnsupported = 0.02, kMostContradictory = 0.002, kTolerance = 16;
+  constexpr double kMostUnsupported = 0.02, kMostContradictory = 0.002, kTolerance = 16, kFew = 0.05;
   std::size_t unsupported = 0, contradictory = 0;
   for (std::size_t k = 0; k < poses_.closures.size(); ++k) {
     const PoseEdge& closure = poses_.closures[k];
@@ -127,6 +131,7 @@ bool ClosureSearch::may_accept_all() const {
     contradictory += evidence_.log_odds(deviation, kTolerance * cycles_.noise_scale) < -options_.evidence;
   }
   const auto count = static_cast<double>(poses_.closures.size());
+  if (count <= kFew * static_cast<double>(poses_.poses.size())) return true;  // a run with them is cheap
   return static_cast<double>(unsupported) <= kMostUnsupported * count &&
          static_cast<double>(contradictory) <= kMostContradictory * count;
 }
@@ -137,7 +142,10 @@ bool ClosureSearch::accept_all() {
   options.start = Start::kAutomatic;
   options.callback = {};
   const Report report = optimize_accepted(options);
-  bool all_fit = report.converged();
+  // False closures may also bend the odometry until they fit.
+  constexpr double kMostChi2 = 4;
+  bool all_fit =
+      report.converged() && !(report.chi2_per_degree() > std::max(1.0, kMostChi2 * cycles_.noise_scale));
   for (std::size_t k = 0; k < chi2_.size(); ++k) all_fit = all_fit && chi2_[k] <= kFarAbove * limit(k);
   if (!all_fit) std::fill(accepted_.begin(), accepted_.end(), 0);
   if (all_fit) all_accepted_ = report;
@@ -160,14 +168,17 @@ void ClosureSearch::bridge_gaps() {
 
 void ClosureSearch::accept_in_stages() {
   constexpr int kMostStages = 200, kOdometryIterations = 10, kIterations = 3, kMostInflations = 4;
+  constexpr double kFew = 0.02;  // not enough for a run of its own
   bridge_gaps();
   optimize_briefly(kOdometryIterations, Start::kOdometry);
   for (int stage = 0; stage < kMostStages && !was_stopped(); ++stage) {
     const std::vector<Deviation> found = deviations(kFewTrees);
-    bool is_certain = false;
     // Where the odometry is worse than its Ω says, only a larger scale explains true closures.
-    for (int inflation = 0; !is_certain && inflation <= kMostInflations; ++inflation)
-      is_certain = add_certain(found, noise_scale() * std::exp2(2 * inflation));
+    std::size_t added = 0;
+    const double scale = noise_scale(), few = kFew * static_cast<double>(accepted_count());
+    for (int inflation = 0; static_cast<double>(added) <= few && inflation <= kMostInflations; ++inflation)
+      added += add_certain(found, scale * std::exp2(2 * inflation));
+    const bool is_certain = added > 0;
     if (!is_certain && !add_on_trial(deviations(kManyTrees))) return;
     optimize_briefly(kIterations);
     eject(is_certain ? 1 : kMostEjections);
@@ -181,19 +192,19 @@ bool ClosureSearch::may_add(std::size_t closure) const {
 /// If closures agree with each other, either all of them are false or none is. False groups are small, so a
 /// large group needs less evidence.
 double ClosureSearch::group_bonus(std::size_t closure) const {
-  constexpr double kLargestFalseGroup = 10;
+  constexpr double kLargestFalseGroup = 10, kMost = 6;
   if (!is_supported(closure)) return -kMoreEvidence;
-  return std::log(std::max(1.0, cycles_.group_size[closure] / kLargestFalseGroup));
+  return std::clamp((cycles_.group_size[closure] - kLargestFalseGroup) / kLargestFalseGroup, 0.0, kMost);
 }
 
-/// Accepts the closures with enough evidence. Returns whether there were any.
-bool ClosureSearch::add_certain(std::span<const Deviation> deviations, double scale) {
-  bool added = false;
+/// Accepts the closures with enough evidence, and returns their number.
+std::size_t ClosureSearch::add_certain(std::span<const Deviation> deviations, double scale) {
+  std::size_t added = 0;
   for (std::size_t k = 0; k < deviations.size(); ++k) {
     if (!may_add(k) || evidence_.log_odds(deviations[k], scale) + group_bonus(k) < options_.evidence)
       continue;
     accepted_[k] = 1;
-    added = true;
+    ++added;
   }
   return added;
 }
@@ -253,7 +264,7 @@ void ClosureSearch::eject(int penalty) {
 std::vector<Deviation> ClosureSearch::deviations(std::uint32_t trees) const {
   const std::vector<Motion> estimates = poses_.estimates(graph_);
   const std::vector<const PoseEdge*> edges = accepted_edges();
-  if (std::find(accepted_.begin(), accepted_.end(), 0) == accepted_.end()) trees = 0;  // nothing to compare
+  if (accepted_count() == accepted_.size()) trees = 0;  // nothing to compare
   const Neighbors neighbors(estimates.size(), edges);
   std::vector<PathTree> paths;
   const auto count = static_cast<std::uint32_t>(estimates.size());
@@ -308,28 +319,42 @@ bool ClosureSearch::reconsider(bool may_add) {
   return changed;
 }
 
-std::vector<EdgeVerdict> ClosureSearch::verdicts() const {
+std::vector<EdgeVerdict> ClosureSearch::verdicts() {
   /// With this much less evidence than needed, a closure is more likely false than true.
   constexpr double kFarBelow = 2;
   const std::vector<Deviation> found = deviations(kManyTrees);
   const double scale = noise_scale();
   const Needed needed = needed_on_trial();
+  const auto bonus = [&](std::size_t k) { return is_supported(k) ? group_bonus(k) : 0; };
+  const auto is_testable = [&](std::size_t k) {
+    return accepted_[k] || evidence_.most(found[k].spread, scale) + bonus(k) >= options_.evidence;
+  };
+  std::size_t untestable = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) untestable += !is_testable(k);
+  // If the estimates rest on fewer closures than cannot be tested, they are not good enough to condemn any.
+  const bool is_vague = untestable > accepted_count();
+  if (leaves_parts_apart(graph_, poses_, chain_, accepted_)) {
+    note_ =
+        "no accepted closure bridges some of the gaps in the odometry, so parts of the map are not connected";
+  } else if (is_vague && note_.empty()) {
+    note_ =
+        fmt::format("{} loop closures are undecided, because the paths between their poses are too uncertain",
+                    untestable);
+  }
   std::vector<EdgeVerdict> result;
-  for (std::size_t k = 0; k < chi2_.size(); ++k) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double odds = evidence_.log_odds(found[k], scale) + bonus(k);
+    const bool is_unlikely = odds < (is_supported(k) ? needed.by_group : needed.by_lone) - kFarBelow &&
+                             chi2_[k] > kFarAbove * limit(k) && (is_testable(k) || !is_vague);
     const PoseEdge& closure = poses_.closures[k];
-    EdgeVerdict verdict;
-    verdict.edge = closure.edge;
-    const std::vector<VertexRef> ends{poses_.poses[closure.from], poses_.poses[closure.to]};
-    verdict.from = graph_.id(ends[0]);
-    verdict.to = graph_.id(ends[1]);
-    verdict.weight = accepted_[k];
-    verdict.chi2 = chi2_[k];
-    verdict.supported = is_supported(k);
+    EdgeVerdict verdict{.edge = closure.edge,
+                        .from = graph_.id(poses_.poses[closure.from]),
+                        .to = graph_.id(poses_.poses[closure.to]),
+                        .weight = static_cast<double>(accepted_[k]),
+                        .chi2 = chi2_[k],
+                        .supported = is_supported(k)};
     if (!was_stopped() && accepted_[k] && !is_bridge_[k]) verdict.verdict = Verdict::kInlier;
-    const double odds = evidence_.log_odds(found[k], scale) + (is_supported(k) ? group_bonus(k) : 0);
-    const bool is_unlikely = odds < (is_supported(k) ? needed.by_group : needed.by_lone) - kFarBelow;
-    if (!was_stopped() && !accepted_[k] && is_unlikely && chi2_[k] > kFarAbove * limit(k))
-      verdict.verdict = Verdict::kOutlier;
+    if (!was_stopped() && !accepted_[k] && is_unlikely) verdict.verdict = Verdict::kOutlier;
     result.push_back(verdict);
   }
   return result;

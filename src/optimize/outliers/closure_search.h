@@ -31,7 +31,8 @@ class ClosureSearch {
   /// Optimizes the graph with the accepted edges, by the options of the caller.
   Report finish();
 
-  std::vector<EdgeVerdict> verdicts() const;
+  /// The verdicts at the current estimates. If many closures cannot be judged, note() says so.
+  std::vector<EdgeVerdict> verdicts();
   /// The scale of the noise that explains the accepted closures.
   double noise_scale() const;
   const std::string& note() const { return note_; }
@@ -47,12 +48,13 @@ class ClosureSearch {
   bool may_add(std::size_t closure) const;
   double group_bonus(std::size_t closure) const;
   void bridge_gaps();
-  bool add_certain(std::span<const Deviation> deviations, double scale);
+  std::size_t add_certain(std::span<const Deviation> deviations, double scale);
   bool add_on_trial(std::span<const Deviation> deviations);
   Needed needed_on_trial() const;
   void eject(int penalty);
   bool reconsider(bool may_add);
   std::vector<Deviation> deviations(std::uint32_t trees) const;
+  std::size_t accepted_count() const;
   std::vector<const PoseEdge*> accepted_edges() const;
   Report optimize_accepted(Options options);
   void optimize_briefly(int iterations, Start start = Start::kCurrent);

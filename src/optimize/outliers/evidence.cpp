@@ -55,19 +55,21 @@ double Evidence::log_likelihood(std::span<const Deviation> deviations, double sc
 }
 
 double Evidence::noise_scale(std::span<const Deviation> deviations) const {
-  constexpr std::size_t kEnough = 1000;
+  constexpr std::size_t kEnough = 500;
   std::vector<Deviation> sample;
   const std::size_t step = std::max<std::size_t>(1, deviations.size() / kEnough);
   for (std::size_t k = 0; k < deviations.size(); k += step) sample.push_back(deviations[k]);
-  double best = 1, most = log_likelihood(sample, best);
-  for (double exponent = -24; exponent <= 12; exponent += 0.5) {
-    const double scale = std::exp2(exponent), likelihood = log_likelihood(sample, scale);
-    if (likelihood > most) {
-      most = likelihood;
-      best = scale;
-    }
-  }
-  return best;
+  double best = 0, most = log_likelihood(sample, 1);
+  const auto try_exponent = [&](double exponent) {
+    const double likelihood = log_likelihood(sample, std::exp2(exponent));
+    if (likelihood <= most) return;
+    most = likelihood;
+    best = exponent;
+  };
+  for (int exponent = -24; exponent <= 12; ++exponent) try_exponent(exponent);
+  const double near = best;
+  for (const double change : {-0.5, -0.25, 0.25, 0.5}) try_exponent(near + change);
+  return std::exp2(best);
 }
 
 }  // namespace boxplus::outliers

@@ -52,4 +52,17 @@ Bridges bridge_gaps(const Graph& graph, const PoseGraph& poses, const OdometryCh
   return bridges;
 }
 
+bool leaves_parts_apart(const Graph& graph, const PoseGraph& poses, const OdometryChain& chain,
+                        std::span<const std::uint8_t> accepted) {
+  if (chain.parts() < 2) return false;
+  DisjointSets sets = connected_parts(graph, poses, chain);
+  const auto join = [&](const PoseEdge& edge) {
+    return sets.join(chain.part(edge.from), chain.part(edge.to));
+  };
+  for (std::size_t k = 0; k < accepted.size(); ++k) {
+    if (accepted[k]) join(poses.closures[k]);
+  }
+  return std::any_of(poses.closures.begin(), poses.closures.end(), join);
+}
+
 }  // namespace boxplus::outliers

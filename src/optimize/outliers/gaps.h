@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "optimize/outliers/cycle_test.h"
@@ -18,5 +19,9 @@ struct Bridges {
 /// that other edges or fixed vertices connect need none.
 Bridges bridge_gaps(const Graph& graph, const PoseGraph& poses, const OdometryChain& chain,
                     const CycleTests& cycles, double evidence);
+
+/// Whether the accepted closures connect fewer parts of the odometry than all closures do.
+bool leaves_parts_apart(const Graph& graph, const PoseGraph& poses, const OdometryChain& chain,
+                        std::span<const std::uint8_t> accepted);
 
 }  // namespace boxplus::outliers
