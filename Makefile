@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 60
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz page page-check ci ci-full install clean
+.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz page page-check ci ci-full install clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -18,6 +18,11 @@ setup: ## installs the Debian packages that are missing (root or sudo)
 build: setup ## builds the programs into build/release/bin
 	@cmake --preset release
 	@cmake --build --preset release --parallel $(JOBS) --target programs
+
+python: setup ## builds the Python module into build/release/python
+	@cmake --preset release
+	@cmake --build --preset release --parallel $(JOBS) --target boxplus_python
+	@echo "to use it: export PYTHONPATH=$(CURDIR)/build/release/python"
 
 demo: setup ## simulates a sphere of 2500 poses, optimizes it, draws it before and after
 	@cmake --preset release

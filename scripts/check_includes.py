@@ -39,10 +39,10 @@ ALLOWED = {
 LIBRARY = set(ALLOWED) - {"testing", "viewer"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
-# Programs may include all folders. Examples, which users copy, and fuzz targets must not include private
-# headers.
-PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "tests", "viewer")
-PUBLIC_ONLY = ("examples", "fuzz")
+# Programs may include all folders. Examples, which users copy, fuzz targets and the Python module must not include
+# private headers.
+PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "python", "tests", "viewer")
+PUBLIC_ONLY = ("examples", "fuzz", "python")
 for folder in PROGRAMS:
     MAY_INCLUDE[folder] = set(ALLOWED) | {"boxplus.h"}
 

@@ -5,12 +5,15 @@
 //     types/slam2d.h, types/slam3d.h       all ready-made edges in 2-D and in 3-D
 //     types/ba.h                           cameras and reprojection errors, for bundle adjustment
 //     types/dense_prior.h                  a prior on several vertices at once
+//     types/slam2d/calibrate_drive.h       a start for the calibration of a differential drive
 //     manifold/so2.h, s2.h, sim3.h         rotations in 2-D, directions, similarities
 //     manifold/convert_to.h                poses of Eigen, Sophus and other libraries
 //     robust/huber.h, redescending.h,      robust kernels; make_robust_kernel() makes them by name
 //     robust/barron.h, default_width.h
 //     io/registry.h, io/file_format.h      custom file tags and formats
 //     optimize/algorithm.h                 custom algorithms
+//     optimize/diagnose.h                  what is wrong with a graph
+//     optimize/outliers.h                  which loop closures are false
 //     linear/linear_solver.h               custom linear solvers
 //     testing/check_jacobians.h, …         checks of custom types
 #pragma once

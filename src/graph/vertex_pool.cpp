@@ -28,7 +28,7 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
 void VertexPool::release_slot(std::uint32_t slot) {
   free_.push_back(slot);
   flags_[slot] = 0;
-  if (slot < fixed_directions_.size()) fixed_directions_[slot].clear();
+  if (slot < fixed_directions_.size()) set_fixed_directions(slot, {});
 }
 
 void VertexPool::set_fixed_directions(std::uint32_t slot, std::vector<int> directions) {
@@ -37,6 +37,8 @@ void VertexPool::set_fixed_directions(std::uint32_t slot, std::vector<int> direc
     fixed_directions_.resize(slots());
   }
   fixed_directions_[slot] = std::move(directions);
+  // So has_fixed_directions() is false if no vertex has any.
+  while (!fixed_directions_.empty() && fixed_directions_.back().empty()) fixed_directions_.pop_back();
 }
 
 void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {

@@ -3,6 +3,7 @@
 
 #include "linearize/accumulate.h"
 #include "linearize/edge_rows.h"
+#include "linearize/fixed_directions.h"
 
 namespace boxplus {
 namespace {
@@ -77,8 +78,7 @@ class Adder {
   std::vector<DoubleDouble> weighted_, gradient_;
 };
 
-/// As leave_out_fixed() (fixed_directions.h). With fixed directions, all columns of H are stored, so that the
-/// lists of the chunks refer to the values of the structure.
+/// As leave_out_fixed() (fixed_directions.h).
 void leave_out(const Chunk::FixedScalars& fixed, DoubleDoubleSystem& system) {
   for (const std::uint32_t scalar : fixed.scalars) system.gradient[scalar] = 0;
   for (const std::uint32_t value : fixed.values) system.values[value] = 0;
@@ -101,7 +101,7 @@ void linearize_in_double_double(const Graph& graph, const Plan& plan, const Line
       if (pool.enabled(list.edges[k])) adder.add(pool, list.edges[k]);
     }
   }
-  for (const Chunk& chunk : plan.chunks) leave_out(chunk.fixed, system);
+  leave_out(all_fixed_scalars(graph, plan), system);
 }
 
 }  // namespace boxplus

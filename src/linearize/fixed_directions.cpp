@@ -28,10 +28,11 @@ class FixedOfBlocks {
 };
 
 /// Lists the entries of the k-th block of H that belong to fixed directions. The block lies in `column`.
+/// Entry 0 is the one that H has at `origin`.
 void list_block(const FixedOfBlocks& fixed_of, const BlockStructure& structure, std::uint32_t column,
-                std::uint32_t k, Chunk::FixedScalars& out) {
+                std::uint32_t k, std::uint32_t origin, Chunk::FixedScalars& out) {
   const std::uint32_t row = structure.row[k], rows = structure.dim(row), cols = structure.dim(column);
-  const std::uint32_t first = structure.value_start[k];
+  const std::uint32_t first = structure.value_start[k] - origin;
   const auto add = [&](std::uint32_t r, std::uint32_t c) {
     if (row != column || r != c) out.values.push_back(first + c * rows + r);
   };
@@ -42,6 +43,20 @@ void list_block(const FixedOfBlocks& fixed_of, const BlockStructure& structure, 
   fixed_of.for_each(row, [&](std::uint32_t r) {
     for (std::uint32_t c = 0; c < cols; ++c) add(r, c);
   });
+}
+
+/// Lists the fixed scalars of the columns [first, last), and the entries of these columns whose values are
+/// stored from `origin` on.
+void list_columns(const FixedOfBlocks& fixed_of, const BlockStructure& structure, std::uint32_t first,
+                  std::uint32_t last, std::uint32_t origin, Chunk::FixedScalars& out) {
+  for (std::uint32_t column = first; column < last; ++column) {
+    fixed_of.for_each(column, [&](std::uint32_t direction) {
+      out.scalars.push_back(structure.offset[column] + direction);
+    });
+    for (std::uint32_t k = structure.column_start[column]; k < structure.column_start[column + 1]; ++k) {
+      if (structure.value_start[k] >= origin) list_block(fixed_of, structure, column, k, origin, out);
+    }
+  }
 }
 
 }  // namespace
@@ -57,17 +72,19 @@ void list_fixed_directions(const Graph& graph, Plan& plan) {
   if (std::none_of(pools.begin(), pools.end(), [](const auto& pool) { return pool->has_fixed_directions(); }))
     return;
   const FixedOfBlocks fixed_of(graph, plan);
-  const BlockStructure& structure = plan.structure;
   for (Chunk& chunk : plan.chunks) {
-    for (std::uint32_t column = chunk.first_column; column < chunk.last_column; ++column) {
-      fixed_of.for_each(column, [&](std::uint32_t direction) {
-        chunk.fixed.scalars.push_back(structure.offset[column] + direction);
-        plan.fixed_scalars.push_back(structure.offset[column] + direction);
-      });
-      for (std::uint32_t k = structure.column_start[column]; k < structure.column_start[column + 1]; ++k)
-        list_block(fixed_of, structure, column, k, chunk.fixed);
-    }
+    list_columns(fixed_of, plan.structure, chunk.first_column, chunk.last_column, plan.first_stored_value(),
+                 chunk.fixed);
+    plan.fixed_scalars.insert(plan.fixed_scalars.end(), chunk.fixed.scalars.begin(),
+                              chunk.fixed.scalars.end());
   }
+}
+
+Chunk::FixedScalars all_fixed_scalars(const Graph& graph, const Plan& plan) {
+  Chunk::FixedScalars all;
+  if (plan.fixed_scalars.empty()) return all;
+  list_columns(FixedOfBlocks(graph, plan), plan.structure, 0, plan.structure.blocks(), 0, all);
+  return all;
 }
 
 void leave_out_fixed(const Chunk::FixedScalars& fixed, std::span<double> values, std::span<double> gradient) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <tuple>
 
@@ -76,7 +77,11 @@ class GaugeFinder {
       : graph_(graph), movable_(movable), ends_(graph, movable), policy_(policy), stop_(stop) {}
 
   Gauge find(const std::vector<std::vector<std::uint32_t>>& active_edges) {
-    for (const Component& component : components(active_edges)) decide(component);
+    for (Component& component : components(active_edges)) {
+      gauge_.components.emplace_back().anchored = component.anchored;
+      decide(component);
+      gauge_.components.back().vertices = std::move(component.vertices);
+    }
     return std::move(gauge_);
   }
 
@@ -220,6 +225,12 @@ class GaugeFinder {
   /// Handles a component that has only relative poses. All directions of its pose `first` are gauge freedom.
   void hold_rigid(VertexSlot first, int dim) {
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
+    detail::Frame frame;
+    if (graph_.vertex_pools()[first.pool]->get_frame(first.slot, frame)) {
+      gauge_.components.back().free = {all_rigid_motions(frame.dimension)};
+    } else {
+      gauge_.components.back().free = {{.count = dim}};
+    }
     if (policy_ == GaugePolicy::kFixFirst) {
       gauge_.held.push_back({reference(first), id});
     } else {
@@ -231,6 +242,7 @@ class GaugeFinder {
     const VertexSlot first = gauge_vertex(component, freedom);
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
     SimilarityFreedom left = freedom;  // the freedom that remains
+    note_motions(component, freedom);
     if (policy_ == GaugePolicy::kFixFirst) {
       const bool whole = holds_whole(component, first, freedom);
       if (whole) {
@@ -240,6 +252,16 @@ class GaugeFinder {
       hold_directions(component, first, whole, left);
     }
     if (left.directions() > 0) gauge_.freedoms.push_back(describe(first, left));
+  }
+
+  void note_motions(const Component& component, const SimilarityFreedom& freedom) {
+    GaugeComponent& noted = gauge_.components.back();
+    const auto& candidates = noted.free.empty() ? component.vertices : noted.still;
+    std::vector<VertexSlot> still;
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(still),
+                 [&](VertexSlot v) { return (*freedom.roles)[v.pool][v.slot] == WorldRole::kNone; });
+    noted.free.push_back(free_motions_of(freedom));
+    noted.still = std::move(still);
   }
 
   int taken_by(VertexSlot v, const SimilarityFreedom& freedom) const {
@@ -306,13 +328,10 @@ class GaugeFinder {
   }
 
   detail::GaugeFreedom describe(VertexSlot vertex, const SimilarityFreedom& left) const {
-    constexpr double kZero = 1e-6;
-    const MatrixXd turns = left.basis.bottomRows(left.motions.rotations() + 1);
-    const int turning = left.directions() - static_cast<int>(kernel_of(turns, kZero).cols());
-    const bool scale = left.has_scale();
+    const FreeMotions motions = free_motions_of(left);
     const Id id = graph_.vertex_pools()[vertex.pool]->id(vertex.slot);
-    return {reference(vertex), id, left.directions(), turning<left.directions(), turning>(scale ? 1 : 0),
-            scale};
+    return {reference(vertex),      id,           motions.count, !motions.along.empty(),
+            !motions.about.empty(), motions.scale};
   }
 
   /// A fraction of the unit of a motion. Values below this fraction are rounding errors.

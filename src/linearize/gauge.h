@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxplus/linearize/plan.h"
+#include "linearize/free_motions.h"
 
 namespace boxplus {
 
@@ -15,7 +16,20 @@ struct TangentDirection {
   int component;
 };
 
+/// A connected component of the active graph: the moving vertices that edges join. Parameters belong to no
+/// component.
+struct GaugeComponent {
+  std::vector<VertexSlot> vertices;
+  bool anchored = false;  ///< an edge or a fixed direction ties a vertex to the world
+  /// The motions that change no error while nothing is held: at most one entry for each dimension of the
+  /// world.
+  std::vector<FreeMotions> free;
+  /// The vertices that take part in none of these motions, if there are any motions.
+  std::vector<VertexSlot> still;
+};
+
 struct Gauge {
+  std::vector<GaugeComponent> components;
   std::vector<GaugeVertex> held;
   std::vector<TangentDirection> held_directions;  ///< held directions of vertices that are not fully held
   std::vector<detail::GaugeFreedom> freedoms;

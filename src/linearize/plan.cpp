@@ -258,10 +258,12 @@ ColumnStorage choose_column_storage(const Graph& graph, const Plan& plan, Column
                                     double predicted_nanoseconds) {
   constexpr double kJacobianShare = 0.4, kNanosecondsPerByte = 0.2, kCacheBytes = 1 << 20;
   constexpr double kBytesOfAnyMachine = 1 << 28, kMemoryShare = 0.25;
-  const auto has_fixed_directions = [](const auto& pool) { return pool->has_fixed_directions(); };
-  const auto& pools = graph.vertex_pools();
+  const auto has_fixed_directions = [&](VertexRef vertex) {
+    return !graph.vertex_pools()[vertex.pool]->fixed_directions(vertex.slot).empty();
+  };
+  const auto first_kept = plan.block_vertex.begin() + plan.eliminated_blocks;
   if (plan.eliminated_blocks == 0 || plan.shared_scalars() == 0 ||
-      std::any_of(pools.begin(), pools.end(), has_fixed_directions))
+      std::any_of(plan.block_vertex.begin(), first_kept, has_fixed_directions))
     return ColumnStorage::kAll;
   if (requested != ColumnStorage::kAutomatic) return requested;
   const double bytes = sizeof(double) * std::size_t{plan.eliminated_values()};

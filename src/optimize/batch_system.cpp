@@ -47,6 +47,7 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
   for (const Chunk& chunk : plan_->chunks) elimination_bounds_.push_back(chunk.first_column);
   elimination_bounds_.push_back(plan_->eliminated_blocks);
   solver_.analyze(plan_->structure, hints(), request.stop);
+  solver_.leave_out(plan_->fixed_scalars);
   elimination_s_.resize(static_cast<std::size_t>(solver_.slices()));
   resize_vectors();
 }
@@ -62,7 +63,7 @@ AnalyzeHints BatchSystem::hints() const {
 void BatchSystem::resize_vectors() {
   for (auto* vector : {&gradient_, &diagonal_, &right_hand_side_, &damping_})
     vector->resize(plan_->scalars());
-  if (stores_all_columns()) product_.resize(plan_->scalars());
+  if (stores_all_columns() || !plan_->fixed_scalars.empty()) product_.resize(plan_->scalars());
 }
 
 bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
@@ -162,11 +163,13 @@ void BatchSystem::collect_kept() {
 }
 
 /// Whether vertices can be eliminated while other edges are still being linearized. This needs columns that
-/// are final when their edges have been added.
+/// are final when their edges have been added, except for the rows of fixed scalars, which the solver leaves
+/// out of the Schur complement.
 bool BatchSystem::may_eliminate_early() const {
   const std::uint32_t first_kept = plan_->structure.offset[plan_->eliminated_blocks];
   const auto is_kept = [&](std::uint32_t scalar) { return scalar >= first_kept; };
-  return solver_.slices() > 0 && plan_->fixed_scalars.empty() &&
+  return solver_.slices() > 0 &&
+         std::all_of(plan_->fixed_scalars.begin(), plan_->fixed_scalars.end(), is_kept) &&
          std::all_of(plan_->held_scalars.begin(), plan_->held_scalars.end(), is_kept) &&
          std::all_of(treatment_.lost_scalars.begin(), treatment_.lost_scalars.end(), is_kept);
 }
@@ -227,9 +230,18 @@ double BatchSystem::curvature(std::span<const double> d) {
   expect_size(d, "System::curvature");
   if (!is_complete_) return std::numeric_limits<double>::quiet_NaN();
   const TimeAdder adder(timings_->solve_s);
-  if (!stores_all_columns()) return linearizer_.curvature(linearize_options_, d.data());
-  assembled_.multiply(d.data(), product_.data());
-  return dot(d, product_);
+  if (stores_all_columns()) {
+    assembled_.multiply(d.data(), product_.data());
+    return dot(d, product_);
+  }
+  if (plan_->fixed_scalars.empty()) return linearizer_.curvature(linearize_options_, d.data());
+  std::copy(d.begin(), d.end(), product_.begin());
+  double along_fixed = 0;  // H has only a diagonal there
+  for (const std::uint32_t i : plan_->fixed_scalars) {
+    along_fixed += diagonal_[i] * d[i] * d[i];
+    product_[i] = 0;
+  }
+  return along_fixed + linearizer_.curvature(linearize_options_, product_.data());
 }
 
 /// The lower limit of the entries of the diagonal that scales the damping. It is rounded down to a power of

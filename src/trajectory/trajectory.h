@@ -39,7 +39,7 @@ struct Trajectory {
 
 /// Returns the poses of a graph, without its landmarks. Messages call the graph `name`. Throws FileError if
 /// the graph has no poses, if it has poses both in the plane and in space, or if a pose is more than 1e100 m
-/// away from the origin. Takes O(n log n) time.
+/// away from the origin.
 Trajectory trajectory_of(const Graph& graph, const std::string& name);
 /// Does the same for the graph of a file, and adds what identifies its poses. Also throws FileError if the
 /// file has no estimates.

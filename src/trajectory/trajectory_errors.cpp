@@ -52,7 +52,6 @@ ErrorStatistics error_statistics(std::vector<double> errors) {
   ErrorStatistics result;
   result.count = errors.size();
   if (errors.empty()) return result;
-  std::sort(errors.begin(), errors.end());
   const auto count = static_cast<double>(errors.size());
   double sum = 0, squares = 0;
   for (const double error : errors) {
@@ -61,8 +60,11 @@ ErrorStatistics error_statistics(std::vector<double> errors) {
   }
   result.mean = sum / count;
   result.rmse = std::sqrt(squares / count);
-  result.median = (errors[(errors.size() - 1) / 2] + errors[errors.size() / 2]) / 2;
-  result.max = errors.back();
+  result.max = *std::max_element(errors.begin(), errors.end());
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  const bool is_odd = errors.size() % 2 == 1;
+  result.median = is_odd ? *middle : (*middle + *std::max_element(errors.begin(), middle)) / 2;
   return result;
 }
 

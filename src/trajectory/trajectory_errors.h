@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-/// Statistics of a list of lengths or angles. If the list is empty, all of them are 0.
+/// Statistics of a list of lengths or angles. If the list is empty, all of them are 0. O(n).
 struct ErrorStatistics {
   std::size_t count = 0;
   double rmse = 0, mean = 0, median = 0, max = 0;

@@ -15,7 +15,7 @@ import time
 
 from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
-STATE, STRUCTURE, FRAME, FORM = 1, 2, 3, 4
+STATE, STRUCTURE, FRAME, FORM, TRUTH = 1, 2, 3, 4, 6
 MANY_ITERATIONS = {"iterations": "10000", "cost-tolerance": "0", "step-tolerance": "0"}
 NUMBER_TYPES = {"f32": "f", "u32": "I", "u8": "B"}
 
@@ -34,7 +34,7 @@ class Stream:
         self.connection.request("GET", "/stream")
         self.response = self.connection.getresponse()
         self.rows, self.token, self.run = [], None, None
-        self.state = self.structure = self.frame = self.form = None
+        self.state = self.structure = self.frame = self.form = self.truth = None
 
     def read(self):
         size, kind = struct.unpack("<II", self.response.read(8))
@@ -51,6 +51,8 @@ class Stream:
             self.form = json.loads(payload)
         elif kind == FRAME:
             self.frame = arrays(payload)
+        elif kind == TRUTH:
+            self.truth = arrays(payload)
         return kind
 
     def read_until(self, is_reached):
@@ -90,9 +92,9 @@ class Viewer:
         status, body = self.request("POST", "/command", json.dumps(members), headers)
         return status, json.loads(body)
 
-    def open(self, token, name, content):
+    def open(self, token, name, content, query=""):
         headers = {"Content-Type": "application/octet-stream", "X-Boxplus-Token": token}
-        status, body = self.request("POST", f"/open?name={name}", content, headers)
+        status, body = self.request("POST", f"/open?name={name}{query}", content, headers)
         return status, json.loads(body)
 
     def save(self, token, name):
@@ -282,6 +284,53 @@ class Form(ViewCase):
         self.assertIn("relative pose", reason(bundle, "start", "odometry"))
         self.assertIn("loop closures", reason(bundle, "kernel-on", "loop-closures"))
 
+class Truth(ViewCase):
+    def setUp(self):
+        super().setUp()
+        self.graph, self.truth = self.path / "graph.g2o", self.path / "truth.g2o"
+        run("simulate", "manhattan", "--poses", 300, "-o", self.graph, "--truth", self.truth)
+
+    def errors(self, path):
+        facts = json.loads(run("compare", path, self.truth, "--json", "-").stdout)
+        return [facts["ate_m"]["rmse"], facts["rpe"]["translation_m"]["rmse"], facts["rpe"]["rotation_rad"]["rmse"]]
+
+    def assert_errors(self, stream, path):
+        found = stream.frame[0]["truth"]
+        for name, expected in zip(("ate_m", "rpe_m", "rpe_rad"), self.errors(path)):
+            self.assertAlmostEqual(found[name] / expected, 1, 10, name)
+
+    def test_is_compared_as_the_command_compares_it(self):
+        viewer = self.viewer(self.graph, "--truth", self.truth)
+        stream = viewer.stream().read_until(lambda s: s.truth and s.frame[0]["truth"])
+        self.assertEqual((stream.truth[0]["name"], stream.truth[0]["matched"]), ("truth.g2o", 300))
+        self.assertEqual(len(stream.truth[1]["positions"]), 900)
+        self.assert_errors(stream, self.graph)
+        viewer.command(stream.token, type="optimize")
+        stream.read_until(lambda s: not s.state["busy"] and s.frame[0]["iteration"] > 0 and s.frame[0]["chi2"] == s.state["chi2"])
+        optimum = self.path / "optimum.g2o"
+        optimum.write_bytes(viewer.save(stream.token, "g2o")[1])
+        self.assert_errors(stream, optimum)
+        self.assertLess(self.errors(optimum)[0], self.errors(self.graph)[0])
+
+    def test_is_opened_by_pages(self):
+        viewer = self.viewer(self.graph)
+        stream = viewer.stream()
+        self.assertIsNone(stream.frame[0]["truth"])
+        self.assertEqual(viewer.open(stream.token, "t.g2o", self.truth.read_text(), "&as=truth"), (200, {"ok": True}))
+        stream.read_until(lambda s: s.truth and s.frame[0]["truth"])
+        self.assert_errors(stream, self.graph)
+        self.assertEqual(stream.state["file"]["name"], "graph.g2o")
+        status, answer = viewer.open(stream.token, "t.g2o", "", "&as=picture")
+        self.assertEqual(status, 400)
+        self.assertIn("as: expected one of graph, truth", answer["error"])
+
+    def test_that_does_not_fit_is_refused(self):
+        strange = self.path / "strange.g2o"
+        strange.write_text("VERTEX_SE2 9000 0 0 0\n")
+        self.assert_refused(run("view", self.graph, "--truth", strange), "strange.g2o: expected poses that match graph.g2o by id")
+        self.assert_refused(run("view", "-", "--truth", "-", stdin=""), "'-' twice")
+        self.assert_refused(run("view", "--truth", self.truth), "FILE")
+
 class Files(ViewCase):
     def test_are_opened_instead_of_the_first(self):
         viewer = self.viewer()
@@ -330,6 +379,16 @@ class Files(ViewCase):
         self.assertEqual(saved, out.read_bytes())
         self.assertEqual(viewer.save(stream.token, "unheard")[0], 400)
         self.assertEqual(viewer.save("", "g2o")[0], 403)
+
+    def test_say_what_is_wrong(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        status, text = viewer.request("GET", "/diagnosis", headers={"X-Boxplus-Token": stream.token})
+        diagnosis = json.loads(text)
+        self.assertEqual((status, diagnosis["structure"]), (200, stream.structure[0]["structure"]))
+        self.assertEqual(len(diagnosis["findings"]), diagnosis["count"])
+        self.assertFalse([f for f in diagnosis["findings"] if f["severity"] == "error"])
+        self.assertEqual(viewer.request("GET", "/diagnosis")[0], 403)
 
     def test_show_the_pattern_of_H(self):
         viewer = self.viewer()

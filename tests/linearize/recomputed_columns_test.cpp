@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "boxplus/robust/huber.h"
@@ -180,11 +181,19 @@ TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Threads, RecomputedColumns, testing::Values(1, 2, 3),
                          ::testing::PrintToStringParamName());
 
-TEST(ColumnStorage, IsAllWithFixedDirectionsAndWithoutElimination) {
+TEST(ColumnStorage, IsAllWithFixedDirectionsOfEliminatedVerticesAndWithoutElimination) {
   Graph graph = varied_bundle(20);
   EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kBatch);
-  const VertexRef camera = graph.all_vertices().front();
-  graph.fix_directions(camera, {1});
+  std::optional<VertexRef> kept, eliminated;
+  for (const VertexRef& vertex : graph.all_vertices())
+    (graph.is_eliminated(vertex) ? eliminated : kept) = vertex;
+  graph.fix_directions(*kept, {1});
+  EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kBatch);
+  graph.fix_directions(*eliminated, {1});
+  EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kAll);
+  graph.fix_directions(*eliminated, {});
+  EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kBatch);
+  for (const VertexRef& vertex : graph.all_vertices()) graph.fix_directions(vertex, {0});
   EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kAll);
   graph = varied_bundle(20);
   for (const VertexRef& vertex : graph.all_vertices()) graph.set_eliminated(vertex, false);

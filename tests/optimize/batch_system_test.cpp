@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -101,6 +103,30 @@ TEST_P(EarlyElimination, IsNotAffectedByFixedDirectionsOfPoints) {
   BatchSystem system = make_system(2);
   system.configure({}, timings);
   EXPECT_EQ(run(system, damping, damping), run(system, damping, std::nullopt));
+}
+
+TEST_P(EarlyElimination, IsNotAffectedByFixedDirectionsOfCameras) {
+  for (std::size_t k = 0; k < bundle.cameras.size(); k += 2)
+    bundle.graph.fix_directions(bundle.cameras[k], {0, static_cast<int>(1 + k % 5)});
+  const StepDamping damping{1e-3, Scale::kDiagonal};
+  BatchSystem stored = make_system(1, ColumnStorage::kAll), system = make_system(2);
+  ASSERT_EQ(system.plan().columns, GetParam());
+  stored.configure({}, timings);
+  system.configure({}, timings);
+  const Results late = run(system, damping, std::nullopt), expected = run(stored, damping, std::nullopt);
+  EXPECT_EQ(run(system, damping, damping), late);
+  EXPECT_EQ(late.gradient, expected.gradient);
+  EXPECT_EQ(late.diagonal, expected.diagonal);
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < late.step.size(); ++i) {
+    difference = std::max(difference, std::abs(late.step[i] - expected.step[i]));
+    size = std::max(size, std::abs(expected.step[i]));
+  }
+  EXPECT_LE(difference, 1e-9 * size);
+  for (const std::uint32_t fixed : system.plan().fixed_scalars) EXPECT_EQ(late.step[fixed], 0);
+  const std::vector<double> along(late.step.size(), 1e-3);  // also along what is fixed
+  const double curvature = stored.curvature(along);
+  EXPECT_NEAR(system.curvature(along), curvature, 1e-10 * curvature);
 }
 
 TEST_P(EarlyElimination, ReportsAPointThatIsNotFinite) {

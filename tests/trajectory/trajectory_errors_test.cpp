@@ -34,6 +34,16 @@ Alignment some_motion() {
   return motion;
 }
 
+TEST(ErrorStatistics, HaveTheMedianOfOddAndEvenNumbersOfErrors) {
+  const ErrorStatistics odd = error_statistics({3, 1, 2}), even = error_statistics({4, 1, 3, 10});
+  EXPECT_EQ(odd.median, 2);
+  EXPECT_EQ(even.median, 3.5);
+  EXPECT_EQ(even.max, 10);
+  EXPECT_EQ(even.mean, 4.5);
+  EXPECT_NEAR(even.rmse, std::sqrt(126.0 / 4), 1e-15);
+  EXPECT_EQ(error_statistics({}).median, 0);
+}
+
 TEST(AbsoluteError, IsTheDistanceAfterTheAlignment) {
   const std::vector<PosePair> pairs = square();
   const Alignment motion = align_poses(pairs, 2, AlignmentKind::kRigid, false);

@@ -57,25 +57,11 @@ EdgeRef edge_with_number(const Graph& graph, std::uint64_t number) {
   throw InvalidArgument(fmt::format("there is no edge with the number {}", number));
 }
 
-std::uint64_t number_of(const Graph& graph, EdgeRef edge) {
-  std::uint64_t number = edge.slot;
-  for (std::uint32_t index = 0; index < edge.pool; ++index) number += graph.edge_pools()[index]->slots();
-  return number;
-}
-
 /// The position of a slot in an ascending list of slots.
 std::optional<std::uint32_t> position_in(std::span<const std::uint32_t> slots, std::uint32_t slot) {
   const auto found = std::lower_bound(slots.begin(), slots.end(), slot);
   if (found == slots.end() || *found != slot) return std::nullopt;
   return static_cast<std::uint32_t>(found - slots.begin());
-}
-
-std::optional<std::uint32_t> number_of(const Structure& structure, VertexRef vertex) {
-  for (const VertexGroup& group : structure.vertices) {
-    if (group.pool != vertex.pool) continue;
-    if (const auto position = position_in(group.slots, vertex.slot)) return group.first + *position;
-  }
-  return std::nullopt;
 }
 
 std::optional<std::uint32_t> line_of(const Structure& structure, EdgeRef edge) {
@@ -122,6 +108,20 @@ std::vector<EdgeRef> worst_edges(const Graph& graph, std::vector<EdgeRef> edges)
 }
 
 }  // namespace
+
+std::optional<std::uint32_t> number_of(const Structure& structure, VertexRef vertex) {
+  for (const VertexGroup& group : structure.vertices) {
+    if (group.pool != vertex.pool) continue;
+    if (const auto position = position_in(group.slots, vertex.slot)) return group.first + *position;
+  }
+  return std::nullopt;
+}
+
+std::uint64_t number_of(const Graph& graph, EdgeRef edge) {
+  std::uint64_t number = edge.slot;
+  for (std::uint32_t index = 0; index < edge.pool; ++index) number += graph.edge_pools()[index]->slots();
+  return number;
+}
 
 Element find_element(const Graph& graph, const Structure& structure, const ElementName& name) {
   switch (name.kind) {

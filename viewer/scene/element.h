@@ -66,6 +66,11 @@ struct VertexFacts {
 
 inline constexpr std::size_t kMostListed = 100;
 
+/// The number of a drawn vertex.
+std::optional<std::uint32_t> number_of(const Structure& structure, VertexRef vertex);
+/// The number of an edge: EdgeFacts::number.
+std::uint64_t number_of(const Graph& graph, EdgeRef edge);
+
 /// The first call for a graph takes O(vertices + edges), others O(d log d) for d edges.
 VertexFacts facts_of(const Graph& graph, const Structure& structure, VertexRef vertex);
 EdgeFacts facts_of(const Graph& graph, const Structure& structure, EdgeRef edge);

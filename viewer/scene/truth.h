@@ -4,13 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
-#include "trajectory/trajectory_errors.h"
 #include "viewer/scene/structure.h"
 
 namespace boxplus::viewer {
@@ -43,6 +42,9 @@ class Truth {
   /// Takes the estimates of a file. Throws FileError if the file has no estimates or no poses, or as
   /// trajectory_of() does.
   Truth(const GraphFile& file, std::string name);
+  ~Truth();
+  Truth(Truth&&) noexcept;
+  Truth& operator=(Truth&&) noexcept;
 
   /// Finds the vertices of a graph that have a truth: poses as matched_poses() does, all others by id. Throws
   /// FileError if no pose has one, and InvalidArgument as matched_poses() does. Messages call the graph
@@ -53,19 +55,14 @@ class Truth {
   /// Call it when the structure is new. The graph may have lost vertices. O(n) in the vertices.
   TruthPlaces place(const Graph& graph, const Structure& structure);
   /// Compares the current estimates with the truth. Returns nothing if no matched pose is left, or if one is
-  /// not finite or very far away. O(n log n) in the poses.
-  std::optional<TruthFit> fit(const Graph& graph, const Structure& structure);
+  /// not finite or very far away. O(n) in the poses.
+  std::optional<TruthFit> fit(const Graph& graph, const Structure& structure) const;
 
  private:
-  using Place = std::array<double, 3>;
+  struct Poses;
 
-  Trajectory trajectory_;
   TruthFacts facts_;
-  std::unordered_map<Id, Place> places_;  ///< by the ids of the graph; before match(), those of the points
-  std::vector<PosePair> pairs_;
-  std::vector<VertexRef> vertices_;  ///< of pairs_
-  bool turns_result_ = false;        ///< PosePairs::turns_result
-  Place center_{};                   ///< the origin of TruthPlaces
+  std::unique_ptr<Poses> poses_;
 };
 
 /// Reads the truth from the text of a file. Throws InputError if it is malformed, and FileError as the

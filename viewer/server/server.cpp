@@ -145,6 +145,9 @@ class Server::Implementation {
       if (has_token(request, response))
         response.set_content(std::string(*workspace_.pattern()), "application/octet-stream");
     });
+    http_.Get("/diagnosis", [this](const auto& request, auto& response) {
+      if (has_token(request, response)) response.set_content(workspace_.diagnosis(), "application/json");
+    });
     http_.Get("/graph", [this](const auto& request, auto& response) { send_graph(request, response); });
     http_.Get("/element", [this](const auto& request, auto& response) {
       if (!has_token(request, response)) return;

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "viewer/server/diagnosis_json.h"
 #include "viewer/server/element_json.h"
 #include "viewer/settings/setting_table.h"
 
@@ -146,6 +147,14 @@ void GraphSubject::restore() {
 
 void GraphSubject::drop_estimates() {
   graph_->discard_top();
+}
+
+std::string GraphSubject::diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const {
+  Options options;
+  options.stop = &stop;
+  const Diagnosis diagnosis = diagnose(*graph_, options);
+  if (!diagnosis.is_complete) throw InvalidArgument("the diagnosis was stopped");
+  return diagnosis_json(*graph_, structure_, diagnosis, structure);
 }
 
 Message GraphSubject::pattern(const std::atomic<bool>& stop) const {

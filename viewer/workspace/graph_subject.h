@@ -44,6 +44,7 @@ class GraphSubject final : public Subject {
   void keep_estimates() override { graph_->push(); }
   void restore() override;
   void drop_estimates() override;
+  std::string diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const override;
   Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 
@@ -64,7 +65,7 @@ class GraphSubject final : public Subject {
   const GraphFile* file_;
   std::string name_;
   Structure structure_;
-  mutable std::optional<Truth> truth_;  ///< a comparison keeps the poses that it has read
+  std::optional<Truth> truth_;
   std::unique_ptr<Optimizer> optimizer_;
   bool has_kernels_ = false;
 };

@@ -88,6 +88,9 @@ class Subject {
   virtual void restore() = 0;
   /// Ends what keep_estimates() began.
   virtual void drop_estimates() = 0;
+  /// What diagnose() finds, as JSON with the number of the structure. Throws InvalidArgument if the subject
+  /// cannot be diagnosed, or if it was stopped.
+  virtual std::string diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const = 0;
   /// Where H and L have blocks. Throws as read_pattern() does.
   virtual Message pattern(const std::atomic<bool>& stop) const = 0;
   /// The graph as a file. Throws InvalidArgument if the format cannot contain it.

@@ -103,6 +103,12 @@ std::string Workspace::describe(std::uint64_t structure, const ElementName& name
   return subject_->describe(name, structure);
 }
 
+std::string Workspace::diagnosis() {
+  std::string diagnosis;
+  work_here(true, "diagnosing", [&] { diagnosis = subject_->diagnosis(structure_number_, stop_); });
+  return diagnosis;
+}
+
 Message Workspace::pattern() {
   Message pattern;
   work_here(true, "computing the pattern", [&] {

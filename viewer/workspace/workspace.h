@@ -83,6 +83,10 @@ class Workspace final : private Listener {
   /// element.
   std::string describe(std::uint64_t structure, const ElementName& name) const;
 
+  /// Returns what diagnose() finds at the current estimates, as JSON. Throws Busy while a command is carried
+  /// out, and InvalidArgument if there is no graph, if it cannot be diagnosed, or if it was stopped.
+  std::string diagnosis();
+
   /// Returns where H and L have blocks. Throws Busy while a command is carried out, and InvalidArgument if
   /// there is no graph, if it is too large, or if it was stopped.
   Message pattern();

@@ -143,4 +143,23 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   return facts;
 }
 
+DiagnosisFacts find_diagnosis(const GraphFile& file, const std::vector<std::int64_t>& edge_lines) {
+  Diagnosis diagnosis = diagnose(file.graph);
+  std::map<EdgeRef, std::int64_t> line_of;
+  for (std::size_t k = 0; k < edge_lines.size() && !diagnosis.findings.empty(); ++k)
+    line_of.emplace(file.edges[k], edge_lines[k]);
+  DiagnosisFacts facts;
+  facts.at_minimum = diagnosis.at_minimum;
+  for (Finding& finding : diagnosis.findings) {
+    FindingFacts& added = facts.findings.emplace_back();
+    for (const EdgeRef& edge : finding.edges) {
+      added.edges.push_back(facts_of(file.graph, edge));
+      const auto line = line_of.find(edge);
+      if (line != line_of.end()) added.edges.back().line = line->second;
+    }
+    added.finding = std::move(finding);
+  }
+  return facts;
+}
+
 }  // namespace boxplus::app

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/diagnose.h"
 #include "optimize/report_json.h"
 #include "viewer/scene/edge_roles.h"
 
@@ -54,6 +56,16 @@ struct ComponentFacts {
   std::string_view free;
 };
 
+struct FindingFacts {
+  Finding finding;
+  std::vector<EdgeFacts> edges;  ///< of `finding`
+};
+
+struct DiagnosisFacts {
+  bool at_minimum = false;
+  std::vector<FindingFacts> findings;
+};
+
 struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
@@ -67,9 +79,12 @@ struct GraphFacts {
   std::size_t rejected = 0;    ///< edges to which this kernel gives a weight below Report::kRejectedWeight
   int dimension = 0;           ///< the dimension of the world; 0 if no vertex has a position
   std::array<double, 3> extent{};  ///< the size of the box that contains all positions, in meters
+  std::optional<DiagnosisFacts> diagnosis;
 };
 
 /// Finds all facts. `edge_lines` is the result of find_edge_lines(); `worst` is the number of edges to list.
 GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& edge_lines, std::size_t worst);
+/// Diagnoses the graph of the file.
+DiagnosisFacts find_diagnosis(const GraphFile& file, const std::vector<std::int64_t>& edge_lines);
 
 }  // namespace boxplus::app

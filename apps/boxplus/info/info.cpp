@@ -22,6 +22,7 @@ namespace {
 struct InfoArguments : viewer::RunSettings {
   std::string input, json;
   std::size_t worst = 5;
+  bool diagnose = false;
   ReadOptions reading;
 };
 
@@ -41,8 +42,10 @@ int describe_file(const InfoArguments& arguments) {
   GraphFile file = parse_input(text, arguments.input, arguments.reading);
   print_notes(file, arguments.input);
   const std::string name = input_name(arguments.input);
-  GraphFacts facts = find_facts(file, find_edge_lines(text, file, arguments.reading), arguments.worst);
+  const std::vector<std::int64_t> edge_lines = find_edge_lines(text, file, arguments.reading);
+  GraphFacts facts = find_facts(file, edge_lines, arguments.worst);
   try_kernel(file.graph, arguments, facts);
+  if (arguments.diagnose) facts.diagnosis = find_diagnosis(file, edge_lines);
   if (!arguments.json.empty()) write_output(arguments.json, facts_json(facts, file, name));
   if (!takes_stdout(outputs)) fmt::print("{}", facts_text(facts, name));
   return kSuccess;
@@ -61,6 +64,9 @@ void add_info(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->group("Output");
   command
+      ->add_flag("--diagnose", arguments->diagnose, "Also say what is wrong or unusual, and how to mend it")
+      ->group("Output");
+  command
       ->add_option("--json", arguments->json,
                    "Where to write the result as JSON; - is stdout, and then no text is printed")
       ->check(file_name())
@@ -72,7 +78,11 @@ void add_info(CLI::App& app, Action& action) {
       "Examples:\n"
       "  boxplus info graph.g2o\n"
       "  boxplus info graph.g2o --json - | jq .chi2\n"
+      "  boxplus info graph.g2o --diagnose\n"
       "  boxplus info graph.g2o --kernel Tukey --kernel-on loop-closures\n"
+      "\n"
+      "--diagnose examines the estimates of the file: before a run, or the result of a run.\n"
+      "docs/diagnosis.md explains each finding.\n"
       "\n"
       "With --kernel, it counts the edges that the kernel rejects at the estimates of the file. chi2 is\n"
       "computed without the kernel.");

@@ -97,6 +97,38 @@ Json notes_json(const GraphFile& file) {
   return result;
 }
 
+Json direction_json(const Graph& graph, const Finding::Direction& direction) {
+  switch (direction.kind) {
+    case Finding::Direction::Kind::kAlong:
+      return {{"kind", "along"}, {"axis", direction.axis}};
+    case Finding::Direction::Kind::kAbout:
+      return {{"kind", "about"}, {"axis", direction.axis}};
+    case Finding::Direction::Kind::kScale:
+      return {{"kind", "scale"}};
+    default:
+      return {{"kind", "tangent"}, {"vertex", graph.id(direction.vertex)}, {"tangent", direction.tangent}};
+  }
+}
+
+Json diagnosis_json(const GraphFacts& facts, const Graph& graph) {
+  if (!facts.diagnosis) return nullptr;
+  Json findings = Json::array();
+  for (const FindingFacts& facts_of_finding : facts.diagnosis->findings) {
+    const Finding& finding = facts_of_finding.finding;
+    Json edges = Json::array(), directions = Json::array();
+    for (const EdgeFacts& edge : facts_of_finding.edges) edges.push_back(edge_json(edge));
+    for (const Finding::Direction& direction : finding.directions)
+      directions.push_back(direction_json(graph, direction));
+    findings.push_back({{"kind", to_string(finding.kind)},
+                        {"severity", to_string(finding.severity)},
+                        {"text", finding.text},
+                        {"vertices", finding.ids},
+                        {"edges", edges},
+                        {"directions", directions}});
+  }
+  return {{"at_minimum", facts.diagnosis->at_minimum}, {"findings", findings}};
+}
+
 }  // namespace
 
 std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std::string& name) {
@@ -117,6 +149,7 @@ std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std
                      {"components", components_json(facts)},
                      {"isolated", facts.isolated},
                      {"worst_edges", worst},
+                     {"diagnosis", diagnosis_json(facts, file.graph)},
                      {"kept_lines", file.kept.size()},
                      {"skipped_lines", file.skipped},
                      {"notes", notes_json(file)}};

@@ -177,11 +177,23 @@ std::string components_text(const GraphFacts& facts) {
   return text;
 }
 
+std::string diagnosis_text(const GraphFacts& facts) {
+  if (!facts.diagnosis) return {};
+  if (facts.diagnosis->findings.empty()) return "\n  diagnosis: nothing unusual\n";
+  std::string text = "\n  diagnosis\n";
+  for (const FindingFacts& facts_of_finding : facts.diagnosis->findings) {
+    const Finding& finding = facts_of_finding.finding;
+    text += fmt::format("  {}: {} [{}]\n", to_string(finding.severity), escaped(finding.text),
+                        to_string(finding.kind));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string facts_text(const GraphFacts& facts, const std::string& name) {
   return escaped(name) + "\n" + summary_text(facts) + vertex_types_text(facts) + edge_types_text(facts) +
-         components_text(facts) + worst_text(facts);
+         components_text(facts) + worst_text(facts) + diagnosis_text(facts);
 }
 
 }  // namespace boxplus::app

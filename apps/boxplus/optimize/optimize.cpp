@@ -16,6 +16,7 @@
 #include "optimize/optimize_options.h"
 #include "optimize/optimize_report.h"
 #include "optimize/optimize_run.h"
+#include "optimize/outlier_search.h"
 #include "optimize/progress.h"
 #include "optimize/report_json.h"
 #include "view/live_view.h"
@@ -59,6 +60,7 @@ void require_edges(const GraphFile& file, const std::string& path) {
 int optimize_file(const OptimizeArguments& arguments) {
   check_outputs(outputs_of(arguments));
   refuse_to_replace({"--json", arguments.json}, {arguments.input});
+  refuse_to_replace({"--write-outliers", arguments.outlier_list}, {arguments.input});
   const auto begin = Clock::now();
   Progress progress(choose_progress(arguments.quiet, arguments.verbose));
   progress.stage(fmt::format("reading {} …", input_name(arguments.input)));
@@ -79,10 +81,17 @@ int optimize_file(const OptimizeArguments& arguments) {
   const Interrupt interrupt;
   std::optional<LiveView> view;
   if (arguments.view) view.emplace(file, arguments.input, arguments);
-  const Report report = run_optimize(file.graph, arguments, progress, view ? &*view : nullptr);
+  if (arguments.find_outliers) facts.outliers = run_find_outliers(file.graph, arguments, progress);
+  const Report report = facts.outliers
+                            ? facts.outliers->report
+                            : run_optimize(file.graph, arguments, progress, view ? &*view : nullptr);
+  if (arguments.remove_outliers && facts.outliers) remove_outliers(file.graph, *facts.outliers);
   if (!arguments.output.empty()) save_graph(arguments.output, file);
   facts.total_s = seconds_since(begin);
   if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));
+  if (!arguments.outlier_list.empty()) {
+    write_output(arguments.outlier_list, facts.outliers ? outliers_list(*facts.outliers) : std::string());
+  }
   if (!arguments.quiet) print_report(report, facts, arguments);
   print_why_stopped(report, arguments);
   if (view) view->serve(report, exit_code(report.status));
@@ -100,6 +109,7 @@ void add_optimize(CLI::App& app, Action& action) {
       "Examples:\n"
       "  boxplus optimize graph.g2o -o optimized.g2o\n"
       "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
+      "  boxplus optimize graph.g2o -o clean.g2o --outliers loop-closures --remove-outliers\n"
       "\n"
       "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.\n"
       "Ctrl-C stops as soon as possible, writes the best estimate so far, and exits with code 1.\n"

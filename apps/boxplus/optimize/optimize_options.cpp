@@ -90,6 +90,35 @@ void add_problem_options(CLI::App& command, OptimizeArguments& arguments) {
                 "Move only these vertices; all others keep their estimates");
 }
 
+void add_outlier_options(CLI::App& command, OptimizeArguments& arguments) {
+  const auto set = [&arguments](const std::string& text) {
+    arguments.find_outliers = text == "loop-closures";
+  };
+  CLI::Option* outliers =
+      command
+          .add_option_function<std::string>(
+              "--outliers", set,
+              "Find false edges, and optimize without them. Begins with the odometry, not with --start; loop "
+              "closures are edges between poses whose ids are not consecutive")
+          ->check(CLI::IsMember({"none", "loop-closures"}))
+          ->type_name("NAME")
+          ->default_str("none")
+          ->group("Outliers");
+  for (const char* other : {"--kernel", "--only-vertices", "--view"})
+    outliers->excludes(command.get_option(other));
+  command
+      .add_option("--write-outliers", arguments.outlier_list,
+                  "Where to write a list of the edges that --outliers does not accept; - is stdout")
+      ->check(file_name())
+      ->type_name("FILE")
+      ->group("Outliers")
+      ->needs(outliers);
+  command.add_flag("--remove-outliers", arguments.remove_outliers, "Leave the false edges out of the output")
+      ->group("Outliers")
+      ->needs(outliers)
+      ->needs(command.get_option("--output"));
+}
+
 void add_view_options(CLI::App& command, OptimizeArguments& arguments) {
   CLI::Option* view = command.add_flag("--view", arguments.view,
                                        "Show the run in a browser, and serve the page after it until Ctrl-C");
@@ -110,6 +139,7 @@ void add_optimize_options(CLI::App& command, OptimizeArguments& arguments) {
   add_problem_options(command, arguments);
   add_settings(command, "Stop", arguments);
   add_view_options(command, arguments);
+  add_outlier_options(command, arguments);
   add_reading_options(command, arguments.reading);
 }
 

@@ -20,8 +20,10 @@ namespace boxplus::app {
 void add_robust_options(CLI::App& command, viewer::RunSettings& settings);
 
 struct OptimizeArguments : viewer::RunSettings, ServingArguments {
-  std::string input, output, json;
+  std::string input, output, json, outlier_list;
   bool quiet = false, verbose = false, view = false;
+  bool find_outliers = false;    ///< --outliers loop-closures
+  bool remove_outliers = false;  ///< leave the outliers out of the output
   ReadOptions reading;
   std::vector<IdRange> fixed, moving;
 };

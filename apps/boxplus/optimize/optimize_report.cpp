@@ -7,6 +7,7 @@
 
 #include "command_line/message.h"
 #include "files/graph_input.h"
+#include "optimize/outlier_search.h"
 
 namespace boxplus::app {
 namespace {
@@ -35,7 +36,9 @@ std::string kernel_text(const viewer::KernelFacts& kernel, std::size_t edges) {
 }
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
-  return {graph_output("--output", arguments.output, arguments.input), {"--json", arguments.json}};
+  return {graph_output("--output", arguments.output, arguments.input),
+          {"--json", arguments.json},
+          {"--write-outliers", arguments.outlier_list}};
 }
 
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
@@ -43,6 +46,7 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
   if (!facts.kernel.name.empty()) {
     text += fmt::format("\n{}; chi2 is computed with the kernel.\n", kernel_text(facts.kernel, facts.edges));
   }
+  if (facts.outliers) text += "\n" + outliers_text(*facts.outliers);
   if (facts.skipped_lines > 0)
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,
                         facts.skipped_lines == 1 ? "" : "s", facts.skipped_lines == 1 ? "was" : "were");

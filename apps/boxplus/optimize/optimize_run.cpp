@@ -55,4 +55,19 @@ Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& 
   return report;
 }
 
+OutlierReport run_find_outliers(Graph& graph, const OptimizeArguments& arguments, Progress& progress) {
+  OutlierOptions options;
+  options.options = arguments.options;
+  options.options.stop = Interrupt::flag();
+  options.options.callback = [&progress](const IterationRecord& record) {
+    progress.iteration(record);
+    return true;
+  };
+  const FixForRun fixed(graph, find_vertices(graph, arguments.fixed, "--fix"));
+  progress.stage("finding outliers …");
+  OutlierReport found = find_outliers(graph, options);
+  progress.erase();
+  return found;
+}
+
 }  // namespace boxplus::app

@@ -2,7 +2,7 @@
 // The work of `boxplus optimize` after reading the graph and before writing the result.
 #pragma once
 
-#include "boxplus/optimize/report.h"
+#include "boxplus/optimize/outliers.h"
 #include "optimize/optimize_options.h"
 #include "optimize/progress.h"
 #include "view/live_view.h"
@@ -16,5 +16,8 @@ viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& setting
 /// Optimizes the graph and shows progress, until the run ends, a signal raises the flag of Interrupt, or the
 /// user stops it in `view`, which may be null.
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress, LiveView* view);
+
+/// Does the same, but finds the false loop closures, and optimizes without them.
+OutlierReport run_find_outliers(Graph& graph, const OptimizeArguments& arguments, Progress& progress);
 
 }  // namespace boxplus::app

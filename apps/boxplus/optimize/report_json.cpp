@@ -63,6 +63,25 @@ Json kernel_json(const viewer::KernelFacts& kernel) {
   return {{"name", kernel.name}, {"width_by_rows", widths}, {"edges", kernel.edges}};
 }
 
+Json outliers_json(const std::optional<OutlierReport>& found) {
+  if (!found) return nullptr;
+  Json closures = Json::array();
+  for (const EdgeVerdict& edge : found->verdicts) {
+    closures.push_back({{"from", edge.from},
+                        {"to", edge.to},
+                        {"verdict", to_string(edge.verdict)},
+                        {"weight", edge.weight},
+                        {"chi2", edge.chi2},
+                        {"supported", edge.supported}});
+  }
+  return {{"inliers", found->count(Verdict::kInlier)},
+          {"outliers", found->count(Verdict::kOutlier)},
+          {"undecided", found->count(Verdict::kUndecided)},
+          {"noise_scale", found->noise_scale},
+          {"note", found->note},
+          {"closures", closures}};
+}
+
 Json rejection_json(const Report& report) {
   const Report::RejectionReport& rejection = report.rejection;
   if (!rejection.is_known) return nullptr;
@@ -118,6 +137,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"gauge", gauge_json(report.gauge)},
                      {"kernel", kernel_json(facts.kernel)},
                      {"rejection", rejection_json(report)},
+                     {"outliers", outliers_json(facts.outliers)},
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
                      {"precision", to_string(report.linear.precision)},

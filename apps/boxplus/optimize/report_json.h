@@ -2,9 +2,10 @@
 // Formats a Report as JSON, for scripts.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "boxplus/optimize/report.h"
+#include "boxplus/optimize/outliers.h"
 #include "viewer/settings/run_settings.h"
 
 namespace boxplus::app {
@@ -15,6 +16,7 @@ struct RunFacts {
   std::size_t edges = 0;  ///< the number of edges in the file
   std::int64_t skipped_lines = 0;
   viewer::KernelFacts kernel;
+  std::optional<OutlierReport> outliers;  ///< of --outliers
   double load_s = 0, total_s = 0;
 };
 

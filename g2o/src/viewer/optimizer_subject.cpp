@@ -183,6 +183,11 @@ void OptimizerSubject::open_truth(const std::string& /*name*/, const std::string
   throw InvalidArgument("the estimates of this graph cannot be compared with a truth here");
 }
 
+std::string OptimizerSubject::diagnosis(std::uint64_t /*structure*/,
+                                        const std::atomic<bool>& /*stop*/) const {
+  throw InvalidArgument("this graph cannot be diagnosed here");
+}
+
 Message OptimizerSubject::pattern(const std::atomic<bool>& /*stop*/) const {
   throw InvalidArgument("the pattern of this graph is not known here");
 }

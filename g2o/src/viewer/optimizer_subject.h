@@ -47,6 +47,7 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   void keep_estimates() override;
   void restore() override;
   void drop_estimates() override;
+  std::string diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const override;
   boxplus::viewer::Message pattern(const std::atomic<bool>& stop) const override;
   std::string formatted(const std::string& format) const override;
 

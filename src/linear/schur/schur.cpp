@@ -234,9 +234,49 @@ FactorResult Schur::finish(std::span<const double> values, double* reduced_r) {
   for (const Slice& slice : slices_) {
     if (slice.result.status != LinearStatus::kOk) return slice.result;
   }
-  if (!reduced_values_.empty()) add_copies(values.last(structure_->nonzero_values() - first_kept_value()));
+  if (!reduced_values_.empty()) {
+    const auto kept = values.last(structure_->nonzero_values() - first_kept_value());
+    add_copies(kept);
+    clear_left_out(kept);
+  }
   if (r_ != nullptr) add_reduced_copies(r_, reduced_r);
   return {};
+}
+
+void Schur::leave_out(std::span<const std::uint32_t> scalars) {
+  left_out_ = {};
+  std::vector<std::uint8_t> is_out(reduced_.scalars());
+  for (const std::uint32_t scalar : scalars) {
+    if (scalar < eliminated_scalars()) continue;
+    is_out[scalar - eliminated_scalars()] = 1;
+    left_out_.scalars.push_back(scalar - eliminated_scalars());
+  }
+  if (left_out_.scalars.empty() || reduced_values_.empty()) return;
+  for (std::uint32_t column = 0; column < reduced_.blocks(); ++column) {
+    for (std::uint32_t k = reduced_.column_start[column]; k < reduced_.column_start[column + 1]; ++k) {
+      const std::uint32_t row = reduced_.row[k], rows = reduced_.dim(row);
+      for (std::uint32_t c = 0; c < reduced_.dim(column); ++c) {
+        for (std::uint32_t r = 0; r < rows; ++r) {
+          const bool is_column_out = is_out[reduced_.offset[column] + c] != 0;
+          if (!is_column_out && is_out[reduced_.offset[row] + r] == 0) continue;
+          const std::uint32_t value = reduced_.value_start[k] + c * rows + r;
+          if (row != column || r != c) {
+            left_out_.values.push_back(value);
+            continue;
+          }
+          const std::uint32_t of_h =
+              structure_->value_start[structure_->find(row + eliminated_, column + eliminated_)];
+          left_out_.diagonals.emplace_back(value, of_h - first_kept_value() + c * rows + r);
+        }
+      }
+    }
+  }
+}
+
+/// Clears what leave_out() has named.
+void Schur::clear_left_out(std::span<const double> kept_values) {
+  for (const std::uint32_t value : left_out_.values) reduced_values_[value] = 0;
+  for (const auto& [value, kept] : left_out_.diagonals) reduced_values_[value] = kept_values[kept];
 }
 
 /// Adds the copies of S, and U, whose values are `values`.
@@ -267,6 +307,7 @@ void Schur::add_reduced_copies(const double* r, double* reduced_r) const {
   for (const Slice& slice : slices_) {
     for (std::uint32_t i = 0; i < reduced_.scalars(); ++i) reduced_r[i] += slice.reduced_r[i];
   }
+  for (const std::uint32_t scalar : left_out_.scalars) reduced_r[scalar] = 0;
 }
 
 FactorResult Schur::factorize_block(std::uint32_t block, const double* v, double* l) const {

@@ -34,6 +34,12 @@ class Schur {
   Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
         int threads = 1, std::span<const std::uint32_t> bounds = {}, const StopToken& stop = {});
 
+  /// Leaves scalars of H out of S and of reduced_r: their rows and columns become zero, except for the
+  /// diagonal, which stays that of H. The result is the same as if their rows in W were zero, and so they may
+  /// have any values. In U and in r, they must be left out already. Ignores scalars of eliminated blocks. If
+  /// S is not explicit, does nothing for S.
+  void leave_out(std::span<const std::uint32_t> scalars);
+
   /// The structure of S. It has the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
   const BlockStructure& structure() const { return *structure_; }
@@ -85,6 +91,13 @@ class Schur {
   void block_diagonal(double* out);
 
  private:
+  /// What leave_out() leaves out.
+  struct LeftOut {
+    std::vector<std::uint32_t> scalars;  // of reduced_r
+    std::vector<std::uint32_t> values;   // of S
+    /// Entries of the diagonal: in S, and among the kept values of H.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> diagonals;
+  };
   struct Slice {
     std::uint32_t first, last;         // its columns
     std::size_t first_pair = 0;        // in pair_target_
@@ -126,6 +139,7 @@ class Schur {
   void subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const;
   void reduce_column(std::uint32_t column, const double* w, const double* r, Slice& slice) const;
   void add_reduced_copies(const double* r, double* reduced_r) const;
+  void clear_left_out(std::span<const double> kept_values);
   void add_copies(std::span<const double> values);
   void kept_multiply(const double* x, double* y) const;
 
@@ -144,6 +158,7 @@ class Schur {
   /// The first value in S of each pair of rows (a ≥ b) of each eliminated column.
   std::vector<std::uint32_t> pair_target_;
   std::vector<Slice> slices_;
+  LeftOut left_out_;
   std::vector<double> copies_, reduced_copies_;  // of S for all slices but the first; of reduced_r for all
   std::vector<std::uint32_t> diagonal_start_;  // the first value of each kept block among the diagonal blocks
 };

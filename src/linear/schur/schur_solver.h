@@ -29,6 +29,11 @@ class SchurSolver final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
 
+  /// Schur::leave_out() for scalars of H; those of eliminated blocks must be left out of H. Call it after
+  /// analyze().
+  void leave_out(std::span<const std::uint32_t> scalars) {
+    if (eliminates()) schur_->leave_out(scalars);
+  }
   /// The number of slices of eliminated columns that eliminate_columns() accepts, or 0 if this solver cannot
   /// eliminate while H is being computed.
   int slices() const { return eliminates() && !reduced_->values().empty() ? schur_->slices() : 0; }

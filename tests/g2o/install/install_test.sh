@@ -38,6 +38,7 @@ for static in "${variants[@]}"; do
   "$cmake" --build "$ways"
   "$ways/icp" >/dev/null
   "$ways/stuff_alone" >/dev/null
+  "$ways/short_paths"
   "$ways/algorithms" lm_var_cholmod
   "$ways/algorithms_cholmod" lm_var_cholmod
   "$ways/algorithms_eigen" lm_var

@@ -73,6 +73,29 @@ void check_operator(Problem& problem, Schur& schur) {
   }
 }
 
+/// Checks that scalars which are left out have no effect, whatever their rows in W are.
+void check_left_out_scalars(Problem& problem, Schur& schur) {
+  const Eigen::Index kept = problem.kept();
+  const std::vector<std::uint32_t> out{0, 2, static_cast<std::uint32_t>(kept - 1)};
+  std::vector<std::uint32_t> scalars;
+  for (const std::uint32_t i : out) scalars.push_back(static_cast<std::uint32_t>(problem.eliminated) + i);
+  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(problem.hessian.rows(), 1, 3);
+  Eigen::VectorXd expected_r(kept), actual_r(kept);
+  schur.eliminate(problem.linearizer.values(), problem.damping, {}, r.data(), expected_r.data());
+  Eigen::MatrixXd expected = dense_matrix(schur.reduced_structure(), schur.reduced_values());
+  for (const std::uint32_t i : out) {
+    expected.row(i).setZero();
+    expected.col(i).setZero();
+    expected(i, i) = problem.hessian(problem.eliminated + i, problem.eliminated + i);
+    expected_r[i] = 0;
+  }
+  schur.leave_out(scalars);
+  schur.eliminate(problem.linearizer.values(), problem.damping, {}, r.data(), actual_r.data());
+  EXPECT_EQ(dense_matrix(schur.reduced_structure(), schur.reduced_values()), expected);
+  EXPECT_EQ(actual_r, expected_r);
+  schur.leave_out({});
+}
+
 /// Checks that reduction, a dense solve and back substitution give the solution of the full system.
 void check_solution(Problem& problem, Schur& schur) {
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(problem.hessian.rows(), 1, 3);
@@ -97,6 +120,7 @@ void check_elimination(Problem& problem, bool explicit_values) {
     if (explicit_values) check_values(problem, schur);
     check_operator(problem, schur);
     check_solution(problem, schur);
+    if (explicit_values && problem.kept() > 6) check_left_out_scalars(problem, schur);
   }
   EXPECT_THAT(problem.linearizer.values(), testing::ElementsAreArray(before));
 }

@@ -4,12 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/se2.h"
+#include "viewer/workspace/settled.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -18,35 +17,6 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-using Json = nlohmann::json;
-
-GraphFile small_graph() {
-  return parse_graph(
-      "VERTEX_SE2 0 0 0 0\n"
-      "VERTEX_SE2 1 3 0 0\n"
-      "VERTEX_SE2 2 0 3 0\n"
-      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
-      "EDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n"
-      "EDGE_SE2 0 2 2.5 0 0 1 0 0 1 0 1\n",
-      "small.g2o");
-}
-
-MessageKind kind_of(const Message& message) {
-  std::uint32_t kind = 0;
-  std::memcpy(&kind, message->data() + sizeof kind, sizeof kind);
-  return static_cast<MessageKind>(kind);
-}
-
-/// Reads until the worker waits, and returns the last state.
-Json settled(Workspace::Reader& reader) {
-  for (Json state; !reader.has_ended();) {
-    for (const Message& message : reader.wait(10s)) {
-      if (kind_of(message) == MessageKind::kState) state = Json::parse(message->substr(8));
-    }
-    if (!state.is_null() && !state["busy"].get<bool>()) return state;
-  }
-  return {};
-}
 
 /// The newest state, without waiting for the end of anything.
 Json last_state(Workspace::Reader& reader) {
@@ -72,33 +42,15 @@ TEST(Workspace, GivesANewReaderEverything) {
   EXPECT_THAT(reader.wait(0ms), IsEmpty());
 }
 
-/// Reads until the worker waits, and returns the arrays of the last frame.
-Json arrays_of_frame_at_rest(Workspace::Reader& reader) {
-  constexpr std::size_t kHeader = 12;  // after the length and kind of the message, and its own length
-  for (Json arrays; !reader.has_ended();) {
-    bool is_busy = true;
-    for (const Message& message : reader.wait(10s)) {
-      if (kind_of(message) == MessageKind::kState)
-        is_busy = Json::parse(message->substr(8))["busy"].get<bool>();
-      if (kind_of(message) != MessageKind::kFrame) continue;
-      std::uint32_t size = 0;
-      std::memcpy(&size, message->data() + kHeader - sizeof size, sizeof size);
-      arrays = Json::parse(message->substr(kHeader, size))["arrays"];
-    }
-    if (!is_busy) return arrays;
-  }
-  return {};
-}
-
 TEST(Workspace, SendsTheErrorsOfLinesAtRest) {
   Workspace workspace;
   workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, "");
-  const Json of_file = arrays_of_frame_at_rest(reader);
+  const Json of_file = settled_frame(reader)["arrays"];
   EXPECT_EQ(of_file["chi2"]["count"], 3);
   EXPECT_FALSE(of_file.contains("weights"));
   workspace.optimize({{"kernel", "Huber"}});
-  EXPECT_EQ(arrays_of_frame_at_rest(reader)["weights"]["count"], 3);
+  EXPECT_EQ(settled_frame(reader)["arrays"]["weights"]["count"], 3);
 }
 
 TEST(Workspace, OptimizesAsOptimizeDoes) {
@@ -113,23 +65,6 @@ TEST(Workspace, OptimizesAsOptimizeDoes) {
   options.start = Start::kAutomatic;
   const Report report = optimize(file.graph, options);
   EXPECT_EQ(state["chi2"].get<double>(), report.chi2_final);
-}
-
-/// The header of the newest frame, after the worker waits.
-Json settled_frame(Workspace::Reader& reader) {
-  Json header;
-  for (bool waits = false; !waits && !reader.has_ended();) {
-    for (const Message& message : reader.wait(10s)) {
-      if (kind_of(message) == MessageKind::kState)
-        waits = !Json::parse(message->substr(8))["busy"].get<bool>();
-      if (kind_of(message) == MessageKind::kFrame) {
-        std::uint32_t size = 0;
-        std::memcpy(&size, message->data() + 8, sizeof size);
-        header = Json::parse(message->substr(12, size));
-      }
-    }
-  }
-  return header;
 }
 
 TEST(Workspace, ShowsCovariancesUntilTheEstimatesChange) {

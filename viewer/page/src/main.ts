@@ -6,6 +6,7 @@ import { Banners } from "./panels/banners";
 import { Chart } from "./panels/chart";
 import { Commands } from "./panels/commands";
 import { Covariances } from "./panels/covariances";
+import { DiagnosisPanel } from "./panels/diagnosis";
 import { Display } from "./panels/display";
 import { byId, setText } from "./panels/dom";
 import { ElementPanel } from "./panels/element";
@@ -71,13 +72,20 @@ function serve(
   const connection = new Connection({
     onMessage: (message) => {
       show(message);
-      if (message.kind === "structure") element?.setStructure(message.structure);
-      if (message.kind === "frame") element?.setFrame();
+      if (message.kind === "structure") {
+        element?.setStructure(message.structure);
+        diagnosis?.setStructure(message.structure.structure);
+      }
+      if (message.kind === "frame") {
+        element?.setFrame();
+        diagnosis?.setFrame();
+      }
     },
     onConnection: (state) => model.setConnection(state),
   });
   const commands = new Commands(banners);
   const element = view && new ElementPanel(model, connection, commands, view);
+  const diagnosis = element && new DiagnosisPanel(model, connection, commands, element);
   const values = new SettingValues();
   new Files(model, connection, commands, banners, display?.open_truth ?? null);
   new RunBar(model, connection, values, commands);

@@ -14,8 +14,8 @@ namespace boxplus {
 /// What the wheels and the sensor measured between two times.
 struct DriveMotion {
   WheelSpeeds wheels;
-  /// The motion of the sensor (meters, radians): its second pose in the frame of its first pose. It must turn
-  /// by less than π.
+  /// The motion of the sensor (meters, radians): its second pose in the frame of its first pose. The sensor
+  /// must turn by less than π, because the pose cannot express more; this is not checked.
   SE2 sensor;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The selected vertex or edge: what the server knows of it. It is asked again after each command.
+import { counted } from "../format";
 import type { Model } from "../model";
 import type { Connection } from "../protocol/connection";
 import { drawnVertices, type ElementFacts, type ElementName, lastingName } from "../protocol/element";
@@ -16,6 +17,8 @@ const CLICK_PIXELS = 4;
 export class ElementPanel {
   private chosen: ElementName | null = null;
   private facts: ElementFacts | null = null;
+  /** The numbers of vertices that are marked without facts. */
+  private group: number[] = [];
   private graph = 0;
   private structure = 0;
   /** True if the server is to be asked as soon as it is not busy. */
@@ -45,6 +48,7 @@ export class ElementPanel {
     if (graph !== this.graph) this.clear();
     this.graph = graph;
     if (structure === this.structure) this.mark();
+    else this.group = [];
     this.structure = structure;
   }
 
@@ -67,8 +71,19 @@ export class ElementPanel {
     });
   }
 
-  private choose(name: ElementName, goes_there: boolean): void {
+  /** Marks several vertices, of which no facts are shown. */
+  markGroup(vertices: number[]): void {
+    this.clear();
+    setTextOrHide(byId("element-note"), `${counted(vertices.length, "vertex is", "vertices are")} marked.`);
+    this.group = vertices;
+    this.mark();
+    this.view.goTo(vertices);
+  }
+
+  /** Shows the element, and moves the camera if it is not in the picture and `goes_there`. */
+  choose(name: ElementName, goes_there: boolean): void {
     this.chosen = name;
+    this.group = [];
     this.goes_there = goes_there;
     this.is_due = true;
     byId("tab-element").click();
@@ -78,6 +93,7 @@ export class ElementPanel {
 
   private clear(): void {
     this.chosen = null;
+    this.group = [];
     this.is_due = false;
     ++this.requests;
     this.show(null, "Click a vertex or an edge, or type the id of a vertex.");
@@ -145,6 +161,7 @@ export class ElementPanel {
   }
 
   private mark(): void {
-    this.view.select(this.facts ? drawnVertices(this.facts) : []);
+    if (this.facts) this.view.select(drawnVertices(this.facts), true);
+    else this.view.select(this.group, false);
   }
 }

@@ -3,6 +3,7 @@
 // is hidden for long gives its stream back, because browsers open only six connections to a server.
 import { decode } from "./decode";
 import { MessageReader } from "./framing";
+import type { Diagnosis } from "./diagnosis";
 import type { ElementFacts, ElementName } from "./element";
 import type { Command, Message, Pattern } from "./messages";
 
@@ -85,6 +86,12 @@ export class Connection {
       signal: AbortSignal.timeout(ANSWER_MS),
     });
     return (await response.json()) as ElementFacts;
+  }
+
+  /** Returns what is wrong with the graph. Throws like send(). */
+  async diagnosis(): Promise<Diagnosis> {
+    const response = await answerTo("/diagnosis", { headers: { "X-Boxplus-Token": this.token }, cache: "no-store" });
+    return (await response.json()) as Diagnosis;
   }
 
   /** Returns where H and L have blocks. Throws like send(). */

@@ -4,14 +4,17 @@
 import { Group } from "three";
 import type { EdgeGroup, Structure, VertexGroup } from "../protocol/messages";
 import type { Theme } from "../theme";
+import { defaultSize } from "./display_options";
 import { Edges, linesOf } from "./edges";
 import { PointCloud } from "./points";
+import { isPoint } from "./statistics";
 import { membersOf, Vertices } from "./vertices";
 
 /** Also the names of their colors in the theme. */
 export type GhostKind = "before" | "truth";
 
 interface Looks {
+  /** The size of points, but at most that of the same points in the current estimates. */
   point_pixels: number;
   /** How much of their color lines lose. */
   faintness: number;
@@ -47,7 +50,8 @@ export class Ghost {
     this.vertices.update(estimates);
     this.points = structure.vertices.map((group) => new PointCloud(membersOf(group), this.vertices));
     this.edges = structure.edges.map((group) => new Edges(group, linesOf(group, structure), this.vertices));
-    for (const points of this.points) points.setSize(this.looks.point_pixels);
+    const sizeOf = (group: VertexGroup) => Math.min(this.looks.point_pixels, isPoint(group) ? defaultSize(structure, group) : Infinity);
+    structure.vertices.forEach((group, i) => this.points[i]!.setSize(sizeOf(group)));
     for (const part of this.parts) {
       part.object.renderOrder = this.looks.order;
       part.object.material.transparent = part.object.material.depthTest = part.object.material.depthWrite = false;

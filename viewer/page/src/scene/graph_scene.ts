@@ -95,7 +95,7 @@ export class GraphScene {
     }
     if (changed) this.updateVisible();
     this.ellipses.update(frame, this.vertices);
-    this.truth_fit = frame.truth ?? null;
+    this.truth_fit = frame.truth;
     this.placeTruth();
   }
 
@@ -176,9 +176,9 @@ export class GraphScene {
     }, place);
   }
 
-  /** Marks a vertex, or the vertices of an edge. */
-  select(vertices: number[]): void {
-    this.selection.show(vertices);
+  /** Marks vertices, and joins the first one with all others if they are those of an edge. */
+  select(vertices: number[], are_joined: boolean): void {
+    this.selection.show(vertices, are_joined);
   }
 
   /** Where the vertex is in the scene; null if it is not drawn. */

@@ -164,9 +164,9 @@ export class SceneView {
     return this.graph.pick({ x, y, width, height, near }, this.viewProjection());
   }
 
-  /** Marks a vertex, or the vertices of an edge; nothing if the list is empty. */
-  select(vertices: number[]): void {
-    this.graph?.select(vertices);
+  /** Marks vertices, and joins the first one with all others if they are those of an edge. */
+  select(vertices: number[], are_joined: boolean): void {
+    this.graph?.select(vertices, are_joined);
     this.requestPicture();
   }
 

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Marks the selected vertex by a ring, or the selected edge by its lines and rings around its vertices. The mark is visible
+// Marks the selected vertices by rings, and the selected edge by its lines and rings around its vertices. The mark is visible
 // through everything else.
 import { BufferAttribute, BufferGeometry, type Color, DynamicDrawUsage, LineSegments, Points } from "three";
 import { lineMaterial, pointMaterial } from "./materials";
 import type { Vertices } from "./vertices";
 
-const MOST_VERTICES = 100;
+const MOST_VERTICES = 10_000, MOST_LINES = 100;
 const VERTEX_PIXELS = 22, END_PIXELS = 13;
 
 export class Selection {
   readonly objects: [Points<BufferGeometry, ReturnType<typeof pointMaterial>>,
     LineSegments<BufferGeometry, ReturnType<typeof lineMaterial>>];
   private members: number[] = [];
+  private are_joined = false;
 
   constructor(private readonly vertices: Vertices) {
     this.objects = [
       new Points(this.geometry(MOST_VERTICES), pointMaterial(true)),
-      new LineSegments(this.geometry(2 * MOST_VERTICES), lineMaterial()),
+      new LineSegments(this.geometry(2 * MOST_LINES), lineMaterial()),
     ];
     for (const object of this.objects) {
       object.frustumCulled = false;
@@ -26,9 +27,10 @@ export class Selection {
     }
   }
 
-  /** `members` are the numbers of the vertices; the first one is joined with all others. */
-  show(members: number[]): void {
+  /** `members` are the numbers of the vertices. */
+  show(members: number[], are_joined: boolean): void {
     this.members = members.slice(0, MOST_VERTICES);
+    this.are_joined = are_joined;
     this.updateVisible();
   }
 
@@ -38,7 +40,7 @@ export class Selection {
     const [points, lines] = this.objects;
     setIndex(points.geometry, shown);
     const [first, ...others] = shown;
-    setIndex(lines.geometry, others.flatMap((other) => [first!, other]));
+    setIndex(lines.geometry, this.are_joined ? others.slice(0, MOST_LINES).flatMap((other) => [first!, other]) : []);
     points.material.uniforms["size"]!.value = this.members.length > 1 ? END_PIXELS : VERTEX_PIXELS;
   }
 

@@ -2,13 +2,13 @@
 // The contrast of the colors of style.css, as WCAG 2.2 (level AA) wants it: 4.5 for text, 3 for borders and signs.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { contrast, THEMES } from "./colors.mjs";
+import { contrast, leastDifference, THEMES } from "./colors.mjs";
 
 const BACKGROUNDS = ["back", "raised", "scene"];
 const TEXTS = ["text", "dim", "accent", "good", "bad", "warn", "mark"];
 /** Borders of controls, the ring around what has the focus, and signs of the legend. */
 const SIGNS = [
-  "edge", "accent", "bad", "pose", "camera", "landmark", "fixed", "uncertainty", "odometry", "loop-closure", "observation", "other-edge",
+  "edge", "accent", "bad", "pose", "camera", "landmark", "fixed", "truth", "uncertainty", "odometry", "loop-closure", "observation", "other-edge",
 ];
 
 for (const [name, theme] of Object.entries(THEMES)) {
@@ -25,6 +25,16 @@ for (const [name, theme] of Object.entries(THEMES)) {
 
   test(`controls and signs can be seen in the ${name} theme`, () => {
     for (const color of SIGNS) for (const background of BACKGROUNDS) check(color, background, 3);
+  });
+}
+
+for (const [name, theme] of Object.entries(THEMES)) {
+  test(`color-blind people can tell the truth from all else in the ${name} theme`, () => {
+    for (const other of ["before", "scene", "selection", ...SIGNS.slice(SIGNS.indexOf("pose"))]) {
+      if (other === "truth") continue;
+      const difference = leastDifference(theme.truth, theme[other]);
+      assert.ok(difference > 20, `--truth and --${other} differ by ${difference.toFixed(1)}`);
+    }
   });
 }
 

@@ -92,6 +92,15 @@ test("a frame without positions, or with positions that are not floats, is an er
   assert.throws(() => decode(frame({ positions: { type: "u32", offset: 0, count: 1 } })), /unexpected type/);
 });
 
+test("the truth has places, and a frame has the motion onto its estimates", () => {
+  const header = { structure: 3, name: "t.g2o", matched: 1, arrays: { positions: { type: "f32", offset: 0, count: 3 } } };
+  const { kind, truth } = decode({ kind: 6, payload: arraysPayload(header, new Uint8Array(new Float32Array([1, 2, 3]).buffer)) });
+  assert.deepEqual([kind, truth.structure, truth.name, ...truth.positions], ["truth", 3, "t.g2o", 1, 2, 3]);
+  const none = { positions: { type: "f32", offset: 0, count: 0 }, orientations: { type: "f32", offset: 0, count: 0 } };
+  const fit = { rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], translation: [1, 2, 3], ate_m: 4, rpe_m: null, rpe_rad: null };
+  assert.deepEqual(decode({ kind: 3, payload: arraysPayload({ truth: fit, arrays: none }, new Uint8Array(0)) }).frame.truth, fit);
+});
+
 test("messages of an unknown kind have no meaning", () => {
   assert.equal(decode({ kind: 99, payload: new Uint8Array(0) }), null);
 });

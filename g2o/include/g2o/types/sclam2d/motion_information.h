@@ -13,7 +13,7 @@ namespace g2o {
 /// What a laser scanner and the odometry of the robot measured between two times.
 struct MotionInformation {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-  SE2 laserMotion;          ///< the motion of the scanner
+  SE2 laserMotion;          ///< the motion of the scanner, which turns by less than π
   SE2 odomMotion;           ///< the motion of the robot, if its wheels had the distance 1 m
   double timeInterval = 1;  ///< seconds
 };

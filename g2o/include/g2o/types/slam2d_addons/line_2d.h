@@ -16,8 +16,9 @@ namespace g2o {
 struct Line2D : public Vector2 {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   Line2D() : Vector2(0, 0) {}
-  Line2D(const Vector2& v)
-      : Vector2(v) {}  // NOLINT(google-explicit-constructor): clients rely on the implicit conversion
+  // Clients rely on these implicit conversions.
+  template <class Derived>
+  Line2D(const Eigen::MatrixBase<Derived>& v) : Vector2(v) {}  // NOLINT
 };
 
 /// Moves the line by the motion t.

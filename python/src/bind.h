@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of the module. Each function adds the classes and functions of one subject.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "graph_object.h"
+
+namespace boxplus::python {
+
+/// The class Graph, to which several subjects add methods.
+using GraphClass = py::class_<GraphObject, std::shared_ptr<GraphObject>>;
+
+void bind_error(py::module_& module);
+void bind_manifold(py::module_& module);
+void bind_kernel(py::module_& module);
+void bind_edge(py::module_& module);
+void bind_options(py::module_& module);
+void bind_report(py::module_& module);
+GraphClass bind_graph(py::module_& module);
+void bind_edges(GraphClass& graph);
+void bind_bulk(GraphClass& graph);
+void bind_file(py::module_& module, GraphClass& graph);
+void bind_optimizer(py::module_& module);
+void bind_covariance(py::module_& module);
+
+}  // namespace boxplus::python

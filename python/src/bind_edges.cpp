@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Graph: edges.
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bind.h"
+#include "boxplus/robust/default_width.h"
+#include "boxplus/robust/make_robust_kernel.h"
+#include "edge_kinds.h"
+
+namespace boxplus::python {
+namespace {
+
+EdgeRef add_edge(GraphObject& self, py::handle edge, const py::args& vertices, py::handle information) {
+  Graph& graph = self.write();
+  const std::vector<VertexRef> refs = vertices_of(graph, vertices, "vertices");
+  const EdgeKind& kind = kind_for(family_of(edge), graph, refs);
+  const Informations informations(information, kind.rows, "information");
+  informations.require_count(1);
+  return kind.add(graph, edge.cast<const EdgeValue&>().measurement, informations[0], refs.data());
+}
+
+/// One edge, or a sequence of edges.
+std::vector<EdgeRef> edges_of(py::handle edges) {
+  if (py::isinstance<EdgeRef>(edges)) return {edges.cast<EdgeRef>()};
+  if (!py::isinstance<py::sequence>(edges)) throw_type_error("edges", "an EdgeRef or a list of them", edges);
+  std::vector<EdgeRef> refs;
+  for (const py::handle edge : edges) refs.push_back(edge_of(edge, "edges"));
+  return refs;
+}
+
+void set_kernel(GraphObject& self, py::handle edges, const py::object& kernel, std::optional<double> width) {
+  Graph& graph = self.write_kernels();
+  const std::vector<EdgeRef> refs = edges_of(edges);
+  std::shared_ptr<const RobustKernel> shared;
+  const bool is_name = py::isinstance<py::str>(kernel);
+  if (is_name && width) {
+    shared = make_robust_kernel(kernel.cast<std::string>(), *width);
+  } else if (width) {
+    throw_type_error("width", "no width unless the kernel is a name", py::float_(*width));
+  } else if (!is_name && !kernel.is_none()) {
+    if (!py::isinstance<RobustKernel>(kernel))
+      throw_type_error("kernel", "a name, a RobustKernel or None", kernel);
+    shared = kernel.cast<std::shared_ptr<RobustKernel>>()->clone();
+  }
+  int rows = 0;
+  for (const EdgeRef& edge : refs) {
+    if (is_name && !width && graph.information(edge).rows != rows) {
+      rows = graph.information(edge).rows;
+      shared = make_default_kernel(kernel.cast<std::string>(), rows);
+    }
+    graph.set_kernel(edge, shared);
+  }
+}
+
+/// Defines a method of Graph with an edge as its only argument.
+template <class Function>
+void def_edge(GraphClass& type, const char* name, Function function, const char* doc = "") {
+  type.def(
+      name, [function](const GraphObject& self, const EdgeRef& edge) { return function(self.read(), edge); },
+      py::arg("edge"), doc);
+}
+
+void bind_measurements(GraphClass& type) {
+  type.def("add_edge", &add_edge, py::arg("edge"), py::kw_only(), py::arg("information") = 1.0,
+           "add_edge(Between(z), a, b, information=100): adds an edge. The information Ω is a number or a "
+           "symmetric "
+           "matrix, the inverse of the covariance of the error. Returns its EdgeRef.");
+  def_edge(type, "measurement", [](const Graph& graph, EdgeRef edge) {
+    return kind_of_edge(graph, edge).measurement(graph, edge);
+  });
+  type.def(
+      "set_measurement",
+      [](GraphObject& self, const EdgeRef& edge, py::handle measurement) {
+        kind_of_edge(self.read(), edge).set_measurement(self.write(), edge, measurement);
+      },
+      py::arg("edge"), py::arg("measurement"));
+  def_edge(type, "information",
+           [](const Graph& graph, EdgeRef edge) { return to_array(graph.information(edge).matrix()); });
+  type.def(
+      "set_information",
+      [](GraphObject& self, const EdgeRef& edge, py::handle information) {
+        const Informations informations(information, self.read().information(edge).rows, "information");
+        informations.require_count(1);
+        self.write().set_information(edge, informations[0]);
+      },
+      py::arg("edge"), py::arg("information"));
+  def_edge(
+      type, "edge_type",
+      [](const Graph& graph, EdgeRef edge) {
+        static_cast<void>(graph.level(edge));  // throws if there is no such edge
+        return std::string(graph.edge_pools()[edge.pool]->type_name());
+      },
+      "The name of the type: \"Between<SE2>\".");
+  def_edge(type, "vertices", [](const Graph& graph, EdgeRef edge) { return graph.vertices(edge); });
+  type.def(
+      "edges",
+      [](const GraphObject& self, py::handle vertex) {
+        return self.read().edges(vertex_of(self.read(), vertex, "vertex"));
+      },
+      py::arg("vertex"), "The edges that use a vertex.");
+}
+
+void bind_weights(GraphClass& type) {
+  type.def(
+      "set_kernel", &set_kernel, py::arg("edges"), py::arg("kernel"), py::arg("width") = py::none(),
+      "Sets the robust kernel of an edge or of a list of edges: a RobustKernel, the name of one, or None. If "
+      "no width is given, a named kernel has the default width for the rows of each edge.");
+  def_edge(type, "kernel", [](const Graph& graph, EdgeRef edge) -> std::shared_ptr<RobustKernel> {
+    const RobustKernel* kernel = graph.kernel(edge);
+    return kernel == nullptr ? nullptr : std::shared_ptr<RobustKernel>(kernel->clone());
+  });
+  type.def(
+      "set_enabled",
+      [](GraphObject& self, const EdgeRef& edge, bool enabled) { self.write().set_enabled(edge, enabled); },
+      py::arg("edge"), py::arg("enabled"));
+  type.def(
+      "set_level",
+      [](GraphObject& self, const EdgeRef& edge, int level) { self.write().set_level(edge, level); },
+      py::arg("edge"), py::arg("level"));
+  def_edge(type, "is_enabled", [](const Graph& graph, EdgeRef edge) { return graph.is_enabled(edge); });
+  def_edge(type, "level", [](const Graph& graph, EdgeRef edge) { return graph.level(edge); });
+  def_edge(type, "weight", [](const Graph& graph, EdgeRef edge) { return graph.weight(edge); });
+  def_edge(type, "error", [](const Graph& graph, EdgeRef edge) { return to_array(graph.error(edge)); });
+  def_edge(
+      type, "jacobian",
+      [](const Graph& graph, EdgeRef edge) {
+        py::list blocks;
+        for (const Eigen::MatrixXd& block : graph.jacobian(edge)) blocks.append(to_array(block));
+        return blocks;
+      },
+      "One block per vertex.");
+  def_edge(
+      type, "chi2", [](const Graph& graph, EdgeRef edge) { return graph.chi2(edge); },
+      "eᵀΩe of an edge, without its kernel.");
+  type.def(
+      "chi2", [](const GraphObject& self) { return self.read().chi2(); },
+      "Σ ρ(eᵀΩe) over all enabled edges.");
+}
+
+}  // namespace
+
+void bind_edges(GraphClass& type) {
+  bind_measurements(type);
+  bind_weights(type);
+  type.def(
+      "contains",
+      [](const GraphObject& self, py::handle element) {
+        if (py::isinstance<EdgeRef>(element)) return self.read().contains(element.cast<EdgeRef>());
+        if (py::isinstance<VertexRef>(element)) return self.read().contains(element.cast<VertexRef>());
+        return self.read().find_vertex(read_integer(element, "element")).has_value();
+      },
+      py::arg("element"),
+      "True if an EdgeRef, a VertexRef or the id of a vertex names an element of this graph.");
+  type.def(
+      "remove",
+      [](GraphObject& self, py::handle element) {
+        if (py::isinstance<EdgeRef>(element)) return self.write().remove(element.cast<EdgeRef>());
+        self.write().remove(vertex_of(self.read(), element, "element"));
+      },
+      py::arg("element"), "Removes an edge, or a vertex and every edge that uses it.");
+}
+
+}  // namespace boxplus::python

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files: load(), Graph.save().
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <string>
+
+#include "bind.h"
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus::python {
+namespace {
+
+std::shared_ptr<GraphObject> load(const std::filesystem::path& path, bool lenient, int threads) {
+  const py::gil_scoped_release release;
+  return std::make_shared<GraphObject>(read_graph(path.string(), {.lenient = lenient, .threads = threads}));
+}
+
+}  // namespace
+
+void bind_file(py::module_& module, GraphClass& graph) {
+  using Note = GraphFile::Note;
+  py::class_<Note>(module, "Note", "Something unusual in a file that is not an error.")
+      .def_readonly("line", &Note::line, "0 if the note is about the whole file.")
+      .def_readonly("column", &Note::column, "0 if the note is about the whole line.")
+      .def_readonly("text", &Note::text)
+      .def_readonly("skipped", &Note::skipped, "The line was skipped (lenient=True).")
+      .def("__repr__",
+           [](const Note& note) { return "line " + std::to_string(note.line) + ": " + note.text; });
+  module.def(
+      "load", &load, py::arg("path"), py::kw_only(), py::arg("lenient") = false, py::arg("threads") = 0,
+      "Reads a graph: .g2o, TORO, BAL or COLMAP. Raises FileError if the file cannot be opened, and "
+      "InputError "
+      "(file:line:column) for invalid input. With lenient=True, lines that cannot be read are skipped and "
+      "noted in Graph.notes.");
+  graph
+      .def_property_readonly(
+          "notes", [](const GraphObject& self) { return self.file().notes; }, "The notes of load().")
+      .def_property_readonly(
+          "format", [](const GraphObject& self) { return self.file().format; },
+          "The format that load() has read, or an empty text.")
+      .def_property_readonly(
+          "vertices_created", [](const GraphObject& self) { return self.file().vertices_created; },
+          "True if the file lists only edges: optimize with start=\"chordal\".")
+      .def(
+          "save",
+          [](const GraphObject& self, const std::filesystem::path& path, const std::string& format) {
+            write_graph(path.string(), self.file(), {.format = format});
+          },
+          py::arg("path"), py::kw_only(), py::arg("format") = "",
+          "Writes the graph, in the format of the extension unless `format` names one.")
+      .def(
+          "to_text",
+          [](const GraphObject& self, const std::string& format) {
+            return format_graph(self.file(), {.format = format});
+          },
+          py::kw_only(), py::arg("format") = "", "The text that save() writes.");
+}
+
+}  // namespace boxplus::python

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// optimize() and Optimizer. A run releases Python's lock (GIL), and takes it after each iteration to look for
+// signals and to call the callback.
+#include <pybind11/stl.h>
+
+#include <exception>
+#include <memory>
+
+#include "bind.h"
+#include "boxplus/optimize/optimizer.h"
+#include "options_object.h"
+
+namespace boxplus::python {
+namespace {
+
+/// The callback of a run. Exceptions of Python (of the callback, or KeyboardInterrupt) end the run; the
+/// estimates are the best that were found. rethrow() throws them again.
+class Observer {
+ public:
+  Observer(GraphObject::Run& run, py::object callback) : run_(&run), callback_(std::move(callback)) {}
+
+  bool operator()(const IterationRecord& record) {
+    const py::gil_scoped_acquire lock;
+    run_->set_in_callback(true);
+    bool go_on = false;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      const py::object answer = callback_.is_none() ? py::none() : callback_(record);
+      go_on = answer.is_none() || py::bool_(answer);
+    } catch (...) {
+      raised_ = std::current_exception();
+    }
+    run_->set_in_callback(false);
+    return go_on;
+  }
+  void rethrow() {
+    if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
+  }
+
+ private:
+  GraphObject::Run* run_;
+  py::object callback_;
+  std::exception_ptr raised_;
+};
+
+Options native(const OptionsObject& object, Observer& observer) {
+  Options options = object.options;
+  options.stop = object.stop ? &object.stop->is_set : nullptr;
+  options.callback = [&observer](const IterationRecord& record) { return observer(record); };
+  return options;
+}
+
+Report optimize_graph(GraphObject& graph, py::handle options, const py::kwargs& changes) {
+  const OptionsObject object = options_with(options, changes);
+  GraphObject::Run run(graph);
+  Observer observer(run, object.callback);
+  Report report;
+  {
+    const py::gil_scoped_release release;
+    report = optimize(run.graph(), native(object, observer));
+  }
+  observer.rethrow();
+  return report;
+}
+
+/// An Optimizer and its graph.
+class OptimizerObject {
+ public:
+  OptimizerObject(std::shared_ptr<GraphObject> graph, py::handle options, const py::kwargs& changes)
+      : graph_(std::move(graph)), options_(options_with(options, changes)), optimizer_(graph_->write()) {}
+
+  Report run() {
+    GraphObject::Run run(*graph_);
+    const OptionsObject options = options_;
+    Observer observer(run, options.callback);
+    Report report;
+    {
+      const py::gil_scoped_release release;
+      optimizer_.set_options(native(options, observer));
+      report = optimizer_.run();
+    }
+    observer.rethrow();
+    return report;
+  }
+  const OptionsObject& options() const { return options_; }
+  void set_options(py::handle options, const py::kwargs& changes) {
+    options_ = options_with(options, changes);
+  }
+
+ private:
+  std::shared_ptr<GraphObject> graph_;
+  OptionsObject options_;
+  Optimizer optimizer_;
+};
+
+}  // namespace
+
+void bind_optimizer(py::module_& module) {
+  module.def(
+      "optimize", &optimize_graph, py::arg("graph").none(false), py::arg("options") = py::none(),
+      "optimize(graph, max_iterations=20): minimizes Σ ρ(eᵀΩe) over the estimates, in place. The options are "
+      "an Options, keyword arguments, or both. Other threads of Python run meanwhile. Ctrl-C "
+      "(KeyboardInterrupt) or an exception of the callback ends the run after the current iteration; the "
+      "estimates are then the best that were found.");
+  py::class_<OptimizerObject>(
+      module, "Optimizer",
+      "Optimizer(graph, options=None, **options): keeps its plan and its memory between runs.")
+      .def(py::init<std::shared_ptr<GraphObject>, py::handle, const py::kwargs&>(),
+           py::arg("graph").none(false), py::arg("options") = py::none())
+      .def("run", &OptimizerObject::run, "Optimizes; the plan is reused if the structure has not changed.")
+      .def_property_readonly("options", &OptimizerObject::options, py::return_value_policy::copy)
+      .def("set_options", &OptimizerObject::set_options, py::arg("options") = py::none());
+}
+
+}  // namespace boxplus::python

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options: attributes, and keyword arguments of optimize().
+#include <pybind11/stl.h>
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bind.h"
+#include "convert.h"
+#include "enumerators.h"
+#include "members.h"
+#include "options_object.h"
+
+namespace boxplus::python {
+namespace {
+
+/// All options but callback, stop, and custom_linear_solver, which Python cannot write.
+constexpr std::tuple kOptions{Member{"algorithm", &Options::algorithm},
+                              Member{"linear_solver", &Options::linear_solver},
+                              Member{"precision", &Options::precision},
+                              Member{"start", &Options::start},
+                              Member{"gauge", &Options::gauge},
+                              Member{"schur", &Options::schur},
+                              Member{"damping", &Options::damping},
+                              Member{"max_iterations", &Options::max_iterations},
+                              Member{"cost_tolerance", &Options::cost_tolerance},
+                              Member{"noise_tolerance", &Options::noise_tolerance},
+                              Member{"step_tolerance", &Options::step_tolerance},
+                              Member{"gradient_tolerance", &Options::gradient_tolerance},
+                              Member{"time_limit_s", &Options::time_limit_s},
+                              Member{"initial_lambda", &Options::initial_lambda},
+                              Member{"initial_radius", &Options::initial_radius},
+                              Member{"linear_tolerance", &Options::linear_tolerance},
+                              Member{"numeric_jacobians", &Options::numeric_jacobians},
+                              Member{"triggs_correction", &Options::triggs_correction},
+                              Member{"max_factor_bytes", &Options::max_factor_bytes},
+                              Member{"threads", &Options::threads},
+                              Member{"level", &Options::level},
+                              Member{"vertices", &Options::vertices},
+                              Member{"edges", &Options::edges}};
+static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 3,
+              "kOptions does not have all members of Options");
+
+template <class T>
+void read(py::handle value, const std::string& name, T& out) {
+  if constexpr (std::is_enum_v<T>) {
+    out = read_enumerator<T>(value, name);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    if (!py::isinstance<py::bool_>(value)) throw_type_error(name, "a bool", value);
+    out = value.cast<bool>();
+  } else if constexpr (std::is_integral_v<T>) {
+    const std::int64_t number = read_integer(value, name);
+    if (!std::in_range<T>(number)) throw_value_error(name, "an int in the range of the option", value);
+    out = static_cast<T>(number);
+  } else if constexpr (std::is_same_v<T, double>) {  // may be infinite; the engine refuses NaN
+    if (!PyFloat_Check(value.ptr()) && !is_integer(value) && !py::hasattr(value, "__float__"))
+      throw_type_error(name, "a float", value);
+    out = py::float_(py::reinterpret_borrow<py::object>(value));
+  } else {
+    try {
+      out = value.cast<T>();
+    } catch (const py::cast_error&) {
+      throw_type_error(
+          name, std::is_same_v<T, std::vector<EdgeRef>> ? "a list of EdgeRefs" : "a list of VertexRefs",
+          value);
+    }
+  }
+}
+
+void set_callback(OptionsObject& options, const py::object& callback) {
+  if (!callback.is_none() && PyCallable_Check(callback.ptr()) == 0)
+    throw_type_error("Options.callback", "a function or None", callback);
+  options.callback = callback;
+}
+
+/// "Options(max_iterations=3)": the options that differ from their defaults.
+std::string options_text(const py::object& self) {
+  const py::object defaults = py::type::of(self)();
+  std::string text;
+  const auto append = [&](const char* name) {
+    const py::object value = self.attr(name);
+    if (value.equal(defaults.attr(name))) return;
+    text += (text.empty() ? "" : ", ") + std::string(name) + "=" + std::string(py::repr(value));
+  };
+  std::apply([&](const auto&... member) { (append(member.name), ...); }, kOptions);
+  append("callback");
+  append("stop");
+  return "Options(" + text + ")";
+}
+
+}  // namespace
+
+OptionsObject options_with(py::handle options, const py::kwargs& changes) {
+  if (!options.is_none() && !py::isinstance<OptionsObject>(options))
+    throw_type_error("options", "an Options or None", options);
+  OptionsObject result = options.is_none() ? OptionsObject{} : options.cast<const OptionsObject&>();
+  const py::object object = py::cast(&result, py::return_value_policy::reference);
+  for (const auto& [name, value] : changes) {
+    if (!py::hasattr(object, name)) {
+      std::string names;
+      std::apply([&](const auto&... member) { ((names += std::string(member.name) + ", "), ...); }, kOptions);
+      throw py::type_error("Options: expected one of " + names + "callback, stop, got " +
+                           std::string(py::repr(name)));
+    }
+    py::setattr(object, name, value);
+  }
+  return result;
+}
+
+void bind_options(py::module_& module) {
+  bind_enum<AlgorithmKind>(module);
+  bind_enum<LinearSolverKind>(module);
+  bind_enum<Precision>(module);
+  bind_enum<Ordering>(module);
+  bind_enum<Start>(module);
+  bind_enum<GaugePolicy>(module);
+  bind_enum<SchurMode>(module);
+
+  py::class_<StopFlag, std::shared_ptr<StopFlag>>(
+      module, "StopFlag", "Options(stop=flag): any thread may stop the run by flag.set().")
+      .def(py::init<>())
+      .def("set", [](StopFlag& flag) { flag.is_set = true; })
+      .def("clear", [](StopFlag& flag) { flag.is_set = false; })
+      .def("is_set", [](const StopFlag& flag) { return flag.is_set.load(); });
+
+  py::class_<OptionsObject> type(
+      module, "Options",
+      "The options of optimize(); boxplus/optimize/options.h explains each of them. "
+      "Values of enumerations may be given as text: algorithm=\"dogleg\".");
+  bind_enum<Options::DampingScale>(type);
+  type.def(py::init([](const py::kwargs& changes) { return options_with(py::none(), changes); }));
+  const auto bind = [&](const auto& member) {
+    const std::string name = std::string("Options.") + member.name;
+    type.def_property(
+        member.name, [member](const OptionsObject& self) { return self.options.*member.pointer; },
+        [member, name](OptionsObject& self, const py::object& value) {
+          read(value, name, self.options.*member.pointer);
+        });
+  };
+  std::apply([&](const auto&... member) { (bind(member), ...); }, kOptions);
+  type.def_property(
+          "callback", [](const OptionsObject& self) { return self.callback; }, &set_callback,
+          "Called after every iteration with an IterationRecord. If it returns False, the run stops.")
+      .def_readwrite("stop", &OptionsObject::stop)
+      .def("__copy__", [](const OptionsObject& self) { return self; })
+      .def("__repr__", &options_text);
+}
+
+}  // namespace boxplus::python

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The enumerations of options and reports, with the names of their values. Python may also pass a value as
+// text, as on command lines: "levenberg-marquardt" for kLevenbergMarquardt.
+#pragma once
+
+#include <cctype>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "boxplus/optimize/covariance.h"
+#include "boxplus/optimize/report.h"
+#include "convert.h"
+
+namespace boxplus::python {
+
+template <class E>
+struct Enumerator {
+  const char* name;
+  E value;
+};
+
+/// Enumerators<E>::kName is the name of the enumeration, and kAll lists its values.
+template <class E>
+struct Enumerators;
+
+template <>
+struct Enumerators<AlgorithmKind> {
+  using enum AlgorithmKind;
+  static constexpr const char* kName = "AlgorithmKind";
+  static constexpr Enumerator<AlgorithmKind> kAll[] = {{"kAutomatic", kAutomatic},
+                                                       {"kGaussNewton", kGaussNewton},
+                                                       {"kLevenbergMarquardt", kLevenbergMarquardt},
+                                                       {"kDogleg", kDogleg}};
+};
+template <>
+struct Enumerators<LinearSolverKind> {
+  using enum LinearSolverKind;
+  static constexpr const char* kName = "LinearSolverKind";
+  static constexpr Enumerator<LinearSolverKind> kAll[] = {{"kAutomatic", kAutomatic},
+                                                          {"kBlockCholesky", kBlockCholesky},
+                                                          {"kPcg", kPcg},
+                                                          {"kDense", kDense},
+                                                          {"kEigenSparse", kEigenSparse}};
+};
+template <>
+struct Enumerators<Precision> {
+  using enum Precision;
+  static constexpr const char* kName = "Precision";
+  static constexpr Enumerator<Precision> kAll[] = {
+      {"kAutomatic", kAutomatic}, {"kDouble", kDouble}, {"kMixed", kMixed}};
+};
+template <>
+struct Enumerators<Ordering> {
+  using enum Ordering;
+  static constexpr const char* kName = "Ordering";
+  static constexpr Enumerator<Ordering> kAll[] = {{"kAutomatic", kAutomatic},
+                                                  {"kMinimumDegree", kMinimumDegree},
+                                                  {"kNestedDissection", kNestedDissection}};
+};
+template <>
+struct Enumerators<Start> {
+  using enum Start;
+  static constexpr const char* kName = "Start";
+  static constexpr Enumerator<Start> kAll[] = {{"kCurrent", kCurrent},
+                                               {"kOdometry", kOdometry},
+                                               {"kSpanningTree", kSpanningTree},
+                                               {"kChordal", kChordal},
+                                               {"kAutomatic", kAutomatic}};
+};
+template <>
+struct Enumerators<GaugePolicy> {
+  using enum GaugePolicy;
+  static constexpr const char* kName = "GaugePolicy";
+  static constexpr Enumerator<GaugePolicy> kAll[] = {
+      {"kFixFirst", kFixFirst}, {"kDamp", kDamp}, {"kError", kError}};
+};
+template <>
+struct Enumerators<SchurMode> {
+  using enum SchurMode;
+  static constexpr const char* kName = "SchurMode";
+  static constexpr Enumerator<SchurMode> kAll[] = {
+      {"kAutomatic", kAutomatic}, {"kExplicit", kExplicit}, {"kImplicit", kImplicit}};
+};
+template <>
+struct Enumerators<Options::DampingScale> {
+  using enum Options::DampingScale;
+  static constexpr const char* kName = "DampingScale";
+  static constexpr Enumerator<Options::DampingScale> kAll[] = {{"kIdentity", kIdentity},
+                                                               {"kDiagonal", kDiagonal}};
+};
+template <>
+struct Enumerators<detail::JacobianSource> {
+  using enum detail::JacobianSource;
+  static constexpr const char* kName = "JacobianSource";
+  static constexpr Enumerator<detail::JacobianSource> kAll[] = {
+      {"kAnalytic", kAnalytic}, {"kAutomatic", kAutomatic}, {"kNumeric", kNumeric}};
+};
+template <>
+struct Enumerators<Report::Status> {
+  using enum Report::Status;
+  static constexpr const char* kName = "Status";
+  static constexpr Enumerator<Report::Status> kAll[] = {
+      {"kConverged", kConverged}, {"kNotConverged", kNotConverged}, {"kFailed", kFailed}};
+};
+template <>
+struct Enumerators<Report::Reason> {
+  using enum Report::Reason;
+  static constexpr const char* kName = "Reason";
+  static constexpr Enumerator<Report::Reason> kAll[] = {{"kCostTolerance", kCostTolerance},
+                                                        {"kStepTolerance", kStepTolerance},
+                                                        {"kGradientTolerance", kGradientTolerance},
+                                                        {"kNoFurtherDecrease", kNoFurtherDecrease},
+                                                        {"kNothingToOptimize", kNothingToOptimize},
+                                                        {"kMaxIterations", kMaxIterations},
+                                                        {"kTimeLimit", kTimeLimit},
+                                                        {"kStopFlag", kStopFlag},
+                                                        {"kCallback", kCallback},
+                                                        {"kNoStepFound", kNoStepFound},
+                                                        {"kRaisedChi2", kRaisedChi2},
+                                                        {"kNotPositiveDefinite", kNotPositiveDefinite},
+                                                        {"kNotFinite", kNotFinite},
+                                                        {"kRejectedEdges", kRejectedEdges},
+                                                        {"kWeightSpan", kWeightSpan},
+                                                        {"kGaugeFreedom", kGaugeFreedom}};
+};
+
+template <>
+struct Enumerators<Covariance::Status> {
+  using enum Covariance::Status;
+  static constexpr const char* kName = "Status";
+  static constexpr Enumerator<Covariance::Status> kAll[] = {
+      {"kOk", kOk}, {"kSingular", kSingular}, {"kNotFinite", kNotFinite}, {"kStopped", kStopped}};
+};
+
+/// "levenberg-marquardt" for "kLevenbergMarquardt".
+inline std::string text_of(std::string_view enumerator) {
+  std::string text;
+  for (const char c : enumerator.substr(1)) {
+    if (std::isupper(static_cast<unsigned char>(c)) != 0 && !text.empty()) text += '-';
+    text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+template <class E>
+void bind_enum(py::handle scope) {
+  py::enum_<E> type(scope, Enumerators<E>::kName);
+  for (const Enumerator<E>& enumerator : Enumerators<E>::kAll) type.value(enumerator.name, enumerator.value);
+}
+
+/// A value of E, or its text.
+template <class E>
+E read_enumerator(py::handle value, std::string_view name) {
+  if (py::isinstance<E>(value)) return value.cast<E>();
+  std::string expected;
+  for (const Enumerator<E>& enumerator : Enumerators<E>::kAll) {
+    const std::string text = text_of(enumerator.name);
+    if (py::isinstance<py::str>(value) && value.cast<std::string>() == text) return enumerator.value;
+    expected.append(expected.empty() ? "one of '" : ", '").append(text).append("'");
+  }
+  if (py::isinstance<py::str>(value)) throw_value_error(name, expected, value);
+  throw_type_error(name, expected, value);
+}
+
+}  // namespace boxplus::python

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The class Graph of Python: a graph, the parts of its file that a Graph does not contain, and the state of a
+// run that uses it.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus::python {
+
+namespace py = pybind11;
+
+/// A run releases Python's lock (GIL). Other Python threads cannot touch the graph meanwhile: read() and
+/// write() throw InvalidArgument. The callback of a run may read the graph and exchange kernels.
+class GraphObject {
+ public:
+  enum class Use { kFree, kRun, kCallback };
+
+  GraphObject() = default;
+  explicit GraphObject(GraphFile file) : file_(std::move(file)) {}
+  /// A deep copy. Throws InvalidArgument if `other` is in a run.
+  GraphObject(const GraphObject& other) : file_(other.file()) {}
+  GraphObject& operator=(const GraphObject&) = delete;
+
+  const Graph& read() const { return file().graph; }
+  Graph& write() {
+    require(use_ == Use::kFree);
+    return file_.graph;
+  }
+  /// For changes that the callback of a run may make, too: kernels.
+  Graph& write_kernels() {
+    require(use_ != Use::kRun);
+    return file_.graph;
+  }
+  const GraphFile& file() const {
+    require(use_ != Use::kRun);
+    return file_;
+  }
+
+  /// Begins a run, and ends it when it is destroyed. Only a thread that has the GIL may begin and end runs.
+  class Run {
+   public:
+    explicit Run(GraphObject& graph) : graph_(&graph), native_(&graph.write()) { graph.use_ = Use::kRun; }
+    ~Run() { graph_->use_ = Use::kFree; }
+    Run(const Run&) = delete;
+    Run& operator=(const Run&) = delete;
+    Graph& graph() { return *native_; }
+    /// Called at the beginning and at the end of the callback.
+    void set_in_callback(bool is_in_callback) { graph_->use_ = is_in_callback ? Use::kCallback : Use::kRun; }
+
+   private:
+    GraphObject* graph_;
+    Graph* native_;
+  };
+
+ private:
+  static void require(bool allowed) {
+    if (!allowed)
+      throw InvalidArgument(
+          "Graph: this graph is being optimized; until the run ends, only its callback may read the graph or "
+          "set kernels");
+  }
+
+  GraphFile file_;
+  Use use_ = Use::kFree;
+};
+
+/// The vertex with that id, or the vertex of a VertexRef. Throws InvalidArgument if there is no such vertex,
+/// and TypeError if the object is neither of the two.
+VertexRef vertex_of(const Graph& graph, py::handle vertex, std::string_view name);
+/// The vertices of a sequence.
+std::vector<VertexRef> vertices_of(const Graph& graph, py::handle vertices, std::string_view name);
+/// An EdgeRef.
+EdgeRef edge_of(py::handle edge, std::string_view name);
+
+}  // namespace boxplus::python

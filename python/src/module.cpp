@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The extension module boxplus._boxplus. The package boxplus (python/boxplus/__init__.py) exports its names.
+#include "bind.h"
+
+PYBIND11_MODULE(_boxplus, module) {
+  using namespace boxplus::python;
+  const py::object name = module.attr("__name__");
+  module.attr("__name__") = "boxplus";  // so that classes, messages and pickles name the package
+  bind_error(module);
+  bind_manifold(module);
+  bind_kernel(module);
+  bind_edge(module);
+  bind_options(module);
+  bind_report(module);
+  GraphClass graph = bind_graph(module);
+  bind_edges(graph);
+  bind_bulk(graph);
+  bind_file(module, graph);
+  bind_optimizer(module);
+  bind_covariance(module);
+  module.attr("__name__") = name;
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A table of the vertex types that Python knows. To add one, write Value<T> (values.h) and a row in
+// vertex_kinds.cpp.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <typeindex>
+
+#include "boxplus/graph/graph.h"
+#include "convert.h"
+
+namespace boxplus::python {
+
+struct VertexKind {
+  std::string_view name;    ///< of the Python class: "SE2"
+  std::string_view layout;  ///< of a row of numbers: "x y theta"
+  int size;                 ///< the numbers of a row
+  std::type_index pool;     ///< the type of the pool of its vertices
+  bool (*is)(py::handle estimate);
+  VertexRef (*add)(Graph&, py::handle estimate, std::optional<Id> id, bool is_parameter);
+  /// Throws ValueError if the numbers are no estimate.
+  void (*check_row)(const double* row, RowName name);
+  VertexRef (*add_row)(Graph&, const double* row, std::optional<Id> id);
+  py::object (*estimate)(const Graph&, VertexRef);
+  void (*set_estimate)(Graph&, VertexRef, py::handle estimate);
+  void (*get_row)(const Graph&, VertexRef, double* row);
+  void (*set_row)(Graph&, VertexRef, const double* row);
+};
+
+std::span<const VertexKind> vertex_kinds();
+/// "an SE2, an SE3, …"
+std::string vertex_kind_names();
+/// Throws TypeError if the estimate is of no kind.
+const VertexKind& kind_of_estimate(py::handle estimate);
+/// Throws TypeError if `type` is not the Python class of a kind.
+const VertexKind& kind_of_class(py::handle type, std::string_view name);
+/// Throws InvalidArgument if the vertex does not exist, and TypeError if Python does not know its type.
+const VertexKind& kind_of_vertex(const Graph& graph, VertexRef vertex);
+/// The pool of a kind, or nullptr if the graph has none.
+const detail::VertexPool* pool_of_kind(const Graph& graph, const VertexKind& kind);
+std::uint32_t pool_index_of_kind(const Graph& graph, const VertexKind& kind);
+
+}  // namespace boxplus::python

@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests `boxplus optimize --outliers`."""
+
+import json
+
+from command_case import CommandCase, main, run
+
+class OutliersTest(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.graph = self.path / "graph.g2o"
+        done = run("simulate", "manhattan", "--poses", 500, "--outliers", 0.3, "--noise", 0.3, "-o", self.graph)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.wrong = int(done.stdout.split("(")[1].split(" wrong")[0])
+
+    def edges(self, path):
+        return sum(line.startswith("EDGE") for line in path.read_text(encoding="utf-8").splitlines())
+
+    def test_counts_and_lists_the_false_closures(self):
+        found, listed = self.path / "report.json", self.path / "list.txt"
+        done = run("optimize", self.graph, "--outliers", "loop-closures", "--json", found, "--write-outliers", listed)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn(f"{self.wrong} of 144 loop closures are false", done.stdout)
+        report = json.loads(found.read_text(encoding="utf-8"))
+        self.assertEqual(report["status"], "converged")
+        outliers = report["outliers"]
+        self.assertEqual((outliers["inliers"], outliers["outliers"], outliers["undecided"]),
+                         (144 - self.wrong, self.wrong, 0))
+        self.assertEqual(len(outliers["closures"]), 144)
+        self.assertEqual(report["edges"], self.edges(self.graph) - self.wrong)
+        lines = listed.read_text(encoding="utf-8").splitlines()
+        self.assertEqual(lines[0], "# verdict from to chi2")
+        rejected = [(edge["from"], edge["to"]) for edge in outliers["closures"] if edge["verdict"] == "outlier"]
+        self.assertEqual([tuple(map(int, line.split()[1:3])) for line in lines[1:]], rejected)
+
+    def test_keeps_all_edges_unless_told_to_remove_the_outliers(self):
+        every, some = self.path / "every.g2o", self.path / "some.g2o"
+        search = ("optimize", self.graph, "--outliers", "loop-closures")
+        self.assertEqual(run(*search, "-o", every).returncode, 0)
+        self.assertEqual(run(*search, "-o", some, "--remove-outliers").returncode, 0)
+        self.assertEqual(self.edges(every), self.edges(self.graph))
+        self.assertEqual(self.edges(some), self.edges(self.graph) - self.wrong)
+        again = run("optimize", some)
+        self.assertEqual((again.returncode, again.stderr), (0, ""))
+
+    def test_refuses_options_that_do_not_fit_together(self):
+        search = ("optimize", self.graph, "--outliers", "loop-closures")
+        self.assert_refused(run(*search, "--kernel", "Huber"), "--kernel")
+        self.assert_refused(run(*search, "--only-vertices", "1-5"), "--only-vertices")
+        self.assert_refused(run(*search, "--remove-outliers"), "--output")
+        self.assert_refused(run("optimize", self.graph, "--write-outliers", self.path / "list"), "--outliers")
+        self.assert_refused(run(*search, "--write-outliers", self.graph), "--write-outliers")
+
+    def test_refuses_a_graph_with_closures_but_without_odometry(self):
+        graph = self.written("far.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nVERTEX_SE2 2 2 0 0\n"
+                             "EDGE_SE2 0 2 2 0 0 1 0 0 1 0 1\n")
+        self.assert_refused(run("optimize", graph, "--outliers", "loop-closures"), "odometry")
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/optimize/outliers.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/optimizer.h"
+#include "boxplus/testing/false_closures.h"
+#include "boxplus/testing/simulate.h"
+#include "boxplus/types/slam2d.h"
+#include "boxplus/types/slam3d.h"
+
+namespace boxplus {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// An optimized graph with false closures, and the optimum without them.
+struct Example {
+  explicit Example(Graph clean, const FalseClosureOptions& options) : graph(std::move(clean)) {
+    Options start;
+    start.start = Start::kAutomatic;
+    EXPECT_TRUE(optimize(graph, start).converged());
+    optimum = graph;
+    for (const EdgeRef& edge : add_false_closures(graph, options)) false_closures.insert(edge);
+  }
+
+  /// The largest difference between an estimate and the optimum.
+  double displacement() const {
+    double largest = 0;
+    for (const VertexRef& vertex : graph.all_vertices()) {
+      const VertexRef other = *optimum.find_vertex(graph.id(vertex));
+      detail::Frame a, b;
+      graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, a);
+      optimum.vertex_pools()[other.pool]->get_frame(other.slot, b);
+      for (std::size_t k = 0; k < 3; ++k)
+        largest = std::max(largest, std::abs(a.translation[k] - b.translation[k]));
+    }
+    return largest;
+  }
+
+  Graph graph, optimum;
+  std::set<EdgeRef> false_closures;
+};
+
+Graph simulated(World world, int poses) {
+  return simulate(world, {.poses = poses, .seed = 4}).graph;
+}
+
+int wrong_verdicts(const OutlierReport& found, const std::set<EdgeRef>& false_closures) {
+  int wrong = 0;
+  for (const EdgeVerdict& edge : found.verdicts) {
+    const bool is_false = false_closures.count(edge.edge) > 0;
+    wrong += edge.verdict != (is_false ? Verdict::kOutlier : Verdict::kInlier);
+  }
+  return wrong;
+}
+
+struct Case {
+  World world;
+  double fraction;
+  int group;
+};
+
+class FindOutliersInWorld : public ::testing::TestWithParam<Case> {};
+
+TEST_P(FindOutliersInWorld, FindsTheFalseClosuresAndTheOptimumWithoutThem) {
+  const Case& c = GetParam();
+  Example example(simulated(c.world, 600), {.fraction = c.fraction, .group = c.group});
+  const OutlierReport found = find_outliers(example.graph);
+  EXPECT_TRUE(found.report.converged()) << found.report.message;
+  EXPECT_LE(wrong_verdicts(found, example.false_closures), 0.01 * static_cast<double>(found.verdicts.size()));
+  EXPECT_LT(example.displacement(), 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, FindOutliersInWorld,
+                         ::testing::Values(Case{World::kManhattan, 0.1, 1}, Case{World::kManhattan, 0.5, 1},
+                                           Case{World::kSphere, 0.5, 1}, Case{World::kSphere, 0.5, 10}));
+
+TEST(FindOutliers, KeepsAllClosuresOfACleanGraphAndFindsItsOptimum) {
+  Example example(simulated(World::kSphere, 400), {.fraction = 0});
+  const OutlierReport found = find_outliers(example.graph);
+  EXPECT_EQ(found.count(Verdict::kInlier), found.verdicts.size());
+  EXPECT_LT(example.displacement(), 1e-3);
+}
+
+TEST(FindOutliers, FindsHalfOfTheClosuresOfARealGraph) {
+  const char* folder = std::getenv("BOXPLUS_DATA");
+  const std::string path = std::string(folder == nullptr ? "" : folder) + "/posegraph2d/intel_1728.g2o";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "intel_1728.g2o is not in BOXPLUS_DATA";
+  for (const int group : {1, 10}) {
+    Example example(read_graph(path).graph, {.fraction = 0.5, .group = group});
+    const OutlierReport found = find_outliers(example.graph);
+    EXPECT_TRUE(found.report.converged()) << found.report.message;
+    EXPECT_LE(wrong_verdicts(found, example.false_closures), 15) << group;
+    EXPECT_LT(example.displacement(), 0.05) << group;
+  }
+}
+
+TEST(FindOutliers, ReportsEveryClosureOnceWithItsPosesAndItsWeight) {
+  Example example(simulated(World::kManhattan, 300), {.fraction = 0.2});
+  const OutlierReport found = find_outliers(example.graph);
+  std::set<EdgeRef> judged;
+  for (const EdgeVerdict& edge : found.verdicts) {
+    judged.insert(edge.edge);
+    EXPECT_GT(edge.to, edge.from + 1);
+    EXPECT_EQ(edge.weight, edge.verdict == Verdict::kInlier ? 1 : 0);
+    EXPECT_DOUBLE_EQ(edge.chi2, example.graph.chi2(edge.edge));
+  }
+  EXPECT_EQ(judged.size(), found.verdicts.size());
+  EXPECT_EQ(found.edges(Verdict::kOutlier).size(), found.count(Verdict::kOutlier));
+  EXPECT_EQ(found.report.edges + found.verdicts.size() - found.count(Verdict::kInlier),
+            example.graph.edge_count());
+}
+
+TEST(FindOutliers, SaysThatThereAreNoClosures) {
+  Graph graph;
+  const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2());
+  graph.add_edge(Between(SE2(1, 0, 0)), a, b);
+  const OutlierReport found = find_outliers(graph);
+  EXPECT_TRUE(found.verdicts.empty());
+  EXPECT_THAT(found.note, HasSubstr("no loop closures"));
+}
+
+TEST(FindOutliers, ThrowsIfThereIsNoOdometry) {
+  Graph graph;
+  const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2()), c = graph.add_vertex(SE2());
+  static_cast<void>(b);
+  graph.add_edge(Between(SE2(1, 0, 0)), a, c);
+  EXPECT_THROW(static_cast<void>(find_outliers(graph)), InvalidArgument);
+}
+
+TEST(FindOutliers, ThrowsForOptionsOutOfTheirRanges) {
+  Graph graph = simulated(World::kManhattan, 50);
+  EXPECT_THROW(static_cast<void>(find_outliers(graph, {.false_alarm = 0})), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(find_outliers(graph, {.evidence = 0})), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(find_outliers(graph, {.window = 0})), InvalidArgument);
+  OutlierOptions options;
+  options.options.vertices = {graph.all_vertices()[0]};
+  EXPECT_THROW(static_cast<void>(find_outliers(graph, options)), InvalidArgument);
+}
+
+/// Removes the odometry between two poses in the middle.
+Graph with_gap(Graph graph) {
+  const Id middle = static_cast<Id>(graph.vertex_count() / 2);
+  const VertexRef before = *graph.find_vertex(middle), after = *graph.find_vertex(middle + 1);
+  for (const EdgeRef& edge : graph.edges(before)) {
+    const std::vector<VertexRef> ends = graph.vertices(edge);
+    if (ends[0] == after || ends[1] == after) graph.remove(edge);
+  }
+  return graph;
+}
+
+TEST(FindOutliers, BridgesAGapInTheOdometryByClosuresThatAgree) {
+  Example example(with_gap(simulated(World::kSphere, 600)), {.fraction = 0.3});
+  const OutlierReport found = find_outliers(example.graph);
+  EXPECT_TRUE(found.report.converged()) << found.report.message;
+  EXPECT_EQ(found.note, "");
+  EXPECT_LE(wrong_verdicts(found, example.false_closures), 0.01 * static_cast<double>(found.verdicts.size()));
+  EXPECT_LT(example.displacement(), 0.05);
+}
+
+TEST(FindOutliers, SaysThatAGapIsBridgedByAClosureThatCannotBeJudged) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < 6; ++k) poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+  for (const std::size_t k : {0u, 1u, 3u, 4u}) graph.add_edge(Between(SE2(1, 0, 0)), poses[k], poses[k + 1]);
+  const EdgeRef bridge = graph.add_edge(Between(SE2(2, 0, 0)), poses[1], poses[3]);
+  const OutlierReport found = find_outliers(graph);
+  ASSERT_EQ(found.verdicts.size(), 1u);
+  EXPECT_EQ(found.verdicts[0].edge, bridge);
+  EXPECT_EQ(found.verdicts[0].verdict, Verdict::kUndecided);
+  EXPECT_EQ(found.verdicts[0].weight, 1);
+  EXPECT_THAT(found.note, HasSubstr("1 gap in the odometry"));
+}
+
+}  // namespace
+}  // namespace boxplus

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""load() and save()."""
+
+import pathlib
+import tempfile
+import unittest
+
+import boxplus
+from arrays_test import FILE_2D, FILE_3D
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name) / "graph.g2o"
+
+    def load(self, text, **options):
+        self.path.write_text(text, encoding="utf-8")
+        return boxplus.load(self.path, **options)
+
+    def test_a_saved_graph_equals_the_loaded_graph(self):
+        for text in (FILE_2D, FILE_3D):
+            graph = self.load("# a comment\n" + text)
+            graph.save(self.path)
+            self.assertTrue(self.path.read_text(encoding="utf-8").startswith("# a comment\n"))
+            self.assertEqual(boxplus.load(str(self.path)).to_text(), graph.to_text())
+            self.assertEqual(graph.format, "g2o")
+
+    def test_bad_input_is_an_error_with_file_line_and_column(self):
+        with self.assertRaises(boxplus.InputError) as raised:
+            self.load(FILE_2D + "VERTEX_SE2 5 0 zero 0\n")
+        self.assertTrue(str(raised.exception).startswith(f"{self.path}:8:16: "), raised.exception)
+        self.assertEqual((raised.exception.line, raised.exception.column), (8, 16))
+
+    def test_lenient_reading_notes_the_lines_that_it_skips(self):
+        graph = self.load(FILE_2D + "VERTEX_SE2 5 0 zero 0\n", lenient=True)
+        self.assertEqual([(note.line, note.skipped) for note in graph.notes], [(8, True)])
+
+    def test_unknown_tags_are_noted_and_kept(self):
+        graph = self.load(FILE_2D + "MY_TAG 1 2\n")
+        self.assertEqual(len(graph.notes), 1)
+        self.assertIn("MY_TAG 1 2\n", graph.to_text())
+
+    def test_a_file_with_edges_only_has_created_vertices(self):
+        edges = "".join(line + "\n" for line in FILE_2D.splitlines() if line.startswith("EDGE"))
+        graph = self.load(edges)
+        self.assertTrue(graph.vertices_created)
+        self.assertTrue(boxplus.optimize(graph, start="chordal").converged())
+
+    def test_a_type_without_a_class_can_be_loaded_optimized_and_saved(self):
+        graph = self.load("VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_LINE2D 1 0.5 2 -1 -1\nEDGE_SE2_LINE2D 0 1 0.4 2.5 1 0 1\n")
+        self.assertTrue(boxplus.optimize(graph).converged())
+        self.assertIn("VERTEX_LINE2D 1 0.4", graph.to_text())
+        with self.assertRaisesRegex(TypeError, "vertex 1: expected one of the types SE2, SE3, Vector2, Vector3, got a Line2"):
+            graph.estimate(1)
+        with self.assertRaisesRegex(TypeError, "got a LineObservation2, which has no Python class"):
+            graph.measurement(graph.all_edges()[0])
+
+    def test_a_file_that_cannot_be_written_or_read_is_an_os_error(self):
+        with self.assertRaises(OSError):
+            boxplus.load(self.path)
+        with self.assertRaises(boxplus.FileError):
+            boxplus.Graph().save(self.path / "no" / "folder.g2o")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What diagnose() finds, as JSON (PROTOCOL.md).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "boxplus/optimize/diagnose.h"
+#include "viewer/scene/structure.h"
+
+namespace boxplus::viewer {
+
+/// At most kMostFindings findings, each with at most kMostMarked vertices. O(n log n).
+std::string diagnosis_json(const Graph& graph, const Structure& structure, const Diagnosis& diagnosis,
+                           std::uint64_t structure_number);
+
+inline constexpr std::size_t kMostFindings = 500, kMostMarked = 10'000;
+
+}  // namespace boxplus::viewer
