@@ -206,9 +206,9 @@ void add_edges(const EdgeLanes& tile) {
 }
 
 /// Calls f(Sizes) with the sizes as compile-time constants, if there are kernels for them. There are kernels
-/// for relative poses and points, for observations of a point from a pose, and for pixels (2 rows). The
-/// camera of a pixel is one vertex of 6 or 9 dimensions, or its 3, 4, 5, 8 or 12 intrinsic parameters are a
-/// vertex of their own.
+/// for relative poses and points, for observations of a point from a pose, and for pixels (2 rows). The 3, 4,
+/// 5, 8 or 12 intrinsic parameters of the camera of a pixel are constants, or part of the vertex of its pose,
+/// or a vertex of their own.
 template <class F>
 void for_lane_sizes(int rows, const int* dims, int arity, F&& f) {
   const auto is = [&]<int R, int... D>(Sizes<R, D...>) {
@@ -228,6 +228,10 @@ void for_lane_sizes(int rows, const int* dims, int arity, F&& f) {
   offer(Sizes<3, 6, 3>());
   offer(Sizes<2, 6, 3>());
   offer(Sizes<2, 9, 3>());
+  offer(Sizes<2, 10, 3>());
+  offer(Sizes<2, 11, 3>());
+  offer(Sizes<2, 14, 3>());
+  offer(Sizes<2, 18, 3>());
   offer(Sizes<2, 6, 3, 3>());
   offer(Sizes<2, 6, 3, 4>());
   offer(Sizes<2, 6, 3, 5>());

@@ -143,29 +143,14 @@ inline const EliminationKernels* elimination_kernels_of(int dim) {
   }
 }
 
+/// The rows are those of points, of poses, of the intrinsic parameters of cameras, and of both in one vertex.
 inline const EliminationKernels* elimination_kernels_for(int rows, int dim) {
-  switch (rows) {
-    case 2:
-      return elimination_kernels_of<2>(dim);
-    case 3:
-      return elimination_kernels_of<3>(dim);
-    case 4:
-      return elimination_kernels_of<4>(dim);
-    case 5:
-      return elimination_kernels_of<5>(dim);
-    case 6:
-      return elimination_kernels_of<6>(dim);
-    case 7:
-      return elimination_kernels_of<7>(dim);
-    case 8:
-      return elimination_kernels_of<8>(dim);
-    case 9:
-      return elimination_kernels_of<9>(dim);
-    case 12:
-      return elimination_kernels_of<12>(dim);
-    default:
-      return nullptr;
-  }
+  const EliminationKernels* found = nullptr;
+  const auto look_in = [&]<int... R>(std::integer_sequence<int, R...>) {
+    ((rows == R ? void(found = elimination_kernels_of<R>(dim)) : void()), ...);
+  };
+  look_in(std::integer_sequence<int, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 18>());
+  return found;
 }
 
 }  // namespace boxplus::dense::BOXPLUS_ISA

@@ -81,7 +81,8 @@ TEST_P(EdgeLanes, StoreTheValuesOfEachEdgeInItsOwnLane) {
 
 TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
   std::mt19937 random(1);
-  constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6}, {2, 3, 2}, {3, 6, 3}, {2, 6, 3}, {2, 9, 3}};
+  constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6},  {2, 3, 2},  {3, 6, 3},  {2, 6, 3},
+                               {2, 9, 3}, {2, 10, 3}, {2, 11, 3}, {2, 14, 3}, {2, 18, 3}};
   for (const auto& [rows, dim_i, dim_j] : kSizes) {
     const dense::AddEdges add_edges = add_edges_for(rows, {dim_i, dim_j});
     ASSERT_NE(add_edges, nullptr);
