@@ -51,6 +51,17 @@ def watch(record):
 optimize(graph, callback=watch, time_limit_s=1.0)
 # [/run]
 
+# [outliers]
+from boxplus import diagnose, find_outliers
+
+print(diagnose(graph))  # a line per finding: "warning: 3 of 219 edges Between<SE2> have a chi2 above …"
+found = find_outliers(graph)
+verdicts = found.arrays()
+is_false = verdicts["verdict"] == "outlier"
+print(np.c_[verdicts["from"], verdicts["to"]][is_false])  # the ids of their poses
+# [/outliers]
+
 distances = np.hypot(*(poses - truth)[:, :2].T)
 print(f"{report.iterations} iterations, {len(rejected)} closures rejected, largest error {distances.max():.2f} m")
+assert found.edges("outlier") == rejected
 assert report.converged() and len(rejected) == 3 and distances.max() < 0.3

@@ -10,6 +10,7 @@ import numpy as _numpy
 from . import _boxplus
 from ._boxplus import *
 from ._html import report_as_html as _report_as_html
+from ._pandas import report_to_pandas as _report_to_pandas
 
 
 class Vector2:
@@ -27,4 +28,5 @@ class Vector3:
 
 
 _boxplus.Report._repr_html_ = _report_as_html
+_boxplus.Report.to_pandas = _report_to_pandas
 __all__ = [name for name in vars(_boxplus) if not name.startswith("_")] + ["Vector2", "Vector3"]

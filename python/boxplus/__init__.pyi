@@ -9,6 +9,11 @@ import numpy
 from numpy.typing import ArrayLike
 
 from ._report import Enum
+from ._findings import Diagnosis as Diagnosis
+from ._findings import EdgeVerdict as EdgeVerdict
+from ._findings import Finding as Finding
+from ._findings import OutlierReport as OutlierReport
+from ._findings import Verdict as Verdict
 from ._report import AlgorithmKind as AlgorithmKind
 from ._report import GaugeFreedom as GaugeFreedom
 from ._report import GaugePolicy as GaugePolicy
@@ -144,6 +149,8 @@ class RobustKernel:
 def make_robust_kernel(name: str, delta: float) -> RobustKernel: ...
 def make_default_kernel(name: str, rows: int) -> RobustKernel: ...
 def default_width(rows: int) -> float: ...
+
+def se3_sigmas(translation: float, rotation: float) -> Array: ...
 
 class Edge:
     measurement: Any
@@ -285,6 +292,12 @@ class Options:
 def to_string(value: Report.Status) -> str: ...
 @overload
 def to_string(value: Report.Reason) -> str: ...
+@overload
+def to_string(value: Finding.Kind) -> str: ...
+@overload
+def to_string(value: Finding.Severity) -> str: ...
+@overload
+def to_string(value: Verdict) -> str: ...
 def optimize(graph: Graph, options: Options | None = None, **changes: Any) -> Report: ...
 
 class Optimizer:
@@ -311,3 +324,13 @@ def covariance(graph: Graph, vertices: Sequence[Vertex], options: Options | None
 def marginal_covariances(
     graph: Graph, vertices: Sequence[Vertex], options: Options | None = None, **changes: Any
 ) -> Covariance: ...
+def diagnose(graph: Graph, options: Options | None = None, **changes: Any) -> Diagnosis: ...
+def find_outliers(
+    graph: Graph,
+    options: Options | None = None,
+    *,
+    false_alarm: float = ...,
+    evidence: float = ...,
+    window: int = ...,
+    **changes: Any,
+) -> OutlierReport: ...

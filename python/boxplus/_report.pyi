@@ -2,6 +2,8 @@
 # The types of enumerations and reports. There is no such module at run time: the names are in boxplus.
 from __future__ import annotations
 
+from typing import Any
+
 from . import VertexRef
 
 class Enum:
@@ -176,3 +178,4 @@ class Report:
     def chi2_start(self) -> float: ...
     def chi2_remark(self) -> str: ...
     def start_remark(self) -> str: ...
+    def to_pandas(self) -> Any: ...

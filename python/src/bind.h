@@ -16,6 +16,7 @@ using GraphClass = py::class_<GraphObject, std::shared_ptr<GraphObject>>;
 void bind_error(py::module_& module);
 void bind_manifold(py::module_& module);
 void bind_kernel(py::module_& module);
+void bind_information(py::module_& module);
 void bind_edge(py::module_& module);
 void bind_options(py::module_& module);
 void bind_report(py::module_& module);
@@ -25,5 +26,7 @@ void bind_bulk(GraphClass& graph);
 void bind_file(py::module_& module, GraphClass& graph);
 void bind_optimizer(py::module_& module);
 void bind_covariance(py::module_& module);
+void bind_diagnose(py::module_& module);
+void bind_outliers(py::module_& module);
 
 }  // namespace boxplus::python

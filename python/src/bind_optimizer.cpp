@@ -3,45 +3,15 @@
 // signals and to call the callback.
 #include <pybind11/stl.h>
 
-#include <exception>
 #include <memory>
 
 #include "bind.h"
 #include "boxplus/optimize/optimizer.h"
+#include "observer.h"
 #include "options_object.h"
 
 namespace boxplus::python {
 namespace {
-
-/// The callback of a run. Exceptions of Python (of the callback, or KeyboardInterrupt) end the run; the
-/// estimates are the best that were found. rethrow() throws them again.
-class Observer {
- public:
-  Observer(GraphObject::Run& run, py::object callback) : run_(&run), callback_(std::move(callback)) {}
-
-  bool operator()(const IterationRecord& record) {
-    const py::gil_scoped_acquire lock;
-    run_->set_in_callback(true);
-    bool go_on = false;
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      const py::object answer = callback_.is_none() ? py::none() : callback_(record);
-      go_on = answer.is_none() || py::bool_(answer);
-    } catch (...) {
-      raised_ = std::current_exception();
-    }
-    run_->set_in_callback(false);
-    return go_on;
-  }
-  void rethrow() {
-    if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
-  }
-
- private:
-  GraphObject::Run* run_;
-  py::object callback_;
-  std::exception_ptr raised_;
-};
 
 Options native(const OptionsObject& object, Observer& observer) {
   Options options = object.options;

@@ -97,22 +97,6 @@ constexpr std::tuple kReport{Member{"status", &Report::status},
                              Member{"plan_extended", &Report::plan_extended},
                              Member{"time", &Report::time}};
 
-/// A struct with read-only attributes; its repr lists them.
-template <class T, class... M>
-void bind_struct(py::handle scope, const char* name, const std::tuple<M...>& members) {
-  py::class_<T> type(scope, name, "The struct of C++ with the same members.");
-  bind_members(type, members);
-  type.def("__repr__", [name, members](const py::object& self) {
-    std::string text;
-    const auto append = [&](const char* member) {
-      text +=
-          (text.empty() ? "" : ", ") + std::string(member) + "=" + std::string(py::repr(self.attr(member)));
-    };
-    std::apply([&](const auto&... member) { (append(member.name), ...); }, members);
-    return std::string(name) + "(" + text + ")";
-  });
-}
-
 }  // namespace
 
 void bind_report(py::module_& module) {

@@ -10,6 +10,8 @@
 #include <type_traits>
 
 #include "boxplus/optimize/covariance.h"
+#include "boxplus/optimize/diagnose.h"
+#include "boxplus/optimize/outliers.h"
 #include "boxplus/optimize/report.h"
 #include "convert.h"
 
@@ -132,6 +134,52 @@ struct Enumerators<Covariance::Status> {
   static constexpr const char* kName = "Status";
   static constexpr Enumerator<Covariance::Status> kAll[] = {
       {"kOk", kOk}, {"kSingular", kSingular}, {"kNotFinite", kNotFinite}, {"kStopped", kStopped}};
+};
+
+template <>
+struct Enumerators<Finding::Kind> {
+  using enum Finding::Kind;
+  static constexpr const char* kName = "Kind";
+  static constexpr Enumerator<Finding::Kind> kAll[] = {{"kNonFiniteEstimate", kNonFiniteEstimate},
+                                                       {"kNonFiniteError", kNonFiniteError},
+                                                       {"kNonFiniteJacobian", kNonFiniteJacobian},
+                                                       {"kNothingMoves", kNothingMoves},
+                                                       {"kWrongJacobian", kWrongJacobian},
+                                                       {"kIsolatedVertex", kIsolatedVertex},
+                                                       {"kFreeComponent", kFreeComponent},
+                                                       {"kZeroJacobian", kZeroJacobian},
+                                                       {"kUndeterminedDirection", kUndeterminedDirection},
+                                                       {"kSeenOnce", kSeenOnce},
+                                                       {"kBehindCameras", kBehindCameras},
+                                                       {"kFarPoint", kFarPoint},
+                                                       {"kZeroInformation", kZeroInformation},
+                                                       {"kMixedUnits", kMixedUnits},
+                                                       {"kDuplicateEdge", kDuplicateEdge},
+                                                       {"kOutlier", kOutlier},
+                                                       {"kFixedEdge", kFixedEdge},
+                                                       {"kNotAtMinimum", kNotAtMinimum},
+                                                       {"kChi2Ratio", kChi2Ratio}};
+};
+template <>
+struct Enumerators<Finding::Severity> {
+  using enum Finding::Severity;
+  static constexpr const char* kName = "Severity";
+  static constexpr Enumerator<Finding::Severity> kAll[] = {
+      {"kNote", kNote}, {"kWarning", kWarning}, {"kError", kError}};
+};
+template <>
+struct Enumerators<Finding::Direction::Kind> {
+  using enum Finding::Direction::Kind;
+  static constexpr const char* kName = "Kind";
+  static constexpr Enumerator<Finding::Direction::Kind> kAll[] = {
+      {"kAlong", kAlong}, {"kAbout", kAbout}, {"kScale", kScale}, {"kTangent", kTangent}};
+};
+template <>
+struct Enumerators<Verdict> {
+  using enum Verdict;
+  static constexpr const char* kName = "Verdict";
+  static constexpr Enumerator<Verdict> kAll[] = {
+      {"kInlier", kInlier}, {"kOutlier", kOutlier}, {"kUndecided", kUndecided}};
 };
 
 /// "levenberg-marquardt" for "kLevenbergMarquardt".

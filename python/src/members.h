@@ -5,11 +5,14 @@
 
 #include <pybind11/pybind11.h>
 
+#include <concepts>
+#include <span>
+#include <string>
 #include <tuple>
 
-namespace boxplus::python {
+#include "convert.h"
 
-namespace py = pybind11;
+namespace boxplus::python {
 
 template <class T, class M>
 struct Member {
@@ -35,13 +38,39 @@ constexpr std::size_t member_count() {
   }
 }
 
-/// Defines a read-only attribute for each member. `kOthers` members are not in the list.
+/// Defines a read-only attribute for each member. Lists of numbers become arrays. `kOthers` members are not
+/// in the list.
 template <std::size_t kOthers = 0, class Class, class... M>
 void bind_members(Class& type, const std::tuple<M...>& members) {
   using T = typename Class::type;
   static_assert(member_count<T>() == sizeof...(M) + kOthers,
                 "the list does not have all members of the struct");
-  std::apply([&](const auto&... member) { (type.def_readonly(member.name, member.pointer), ...); }, members);
+  const auto bind = [&]<class Any>(const Member<T, Any>& member) {
+    if constexpr (std::convertible_to<const Any&, std::span<const double>>) {
+      type.def_property_readonly(member.name, [pointer = member.pointer](const T& self) {
+        return to_array(std::span<const double>(self.*pointer));
+      });
+    } else {
+      type.def_readonly(member.name, member.pointer);
+    }
+  };
+  std::apply([&](const auto&... member) { (bind(member), ...); }, members);
+}
+
+/// A struct with read-only attributes; its repr lists them.
+template <class T, class... M>
+void bind_struct(py::handle scope, const char* name, const std::tuple<M...>& members) {
+  py::class_<T> type(scope, name, "The struct of C++ with the same members.");
+  bind_members(type, members);
+  type.def("__repr__", [name, members](const py::object& self) {
+    std::string text;
+    const auto append = [&](const char* member) {
+      text +=
+          (text.empty() ? "" : ", ") + std::string(member) + "=" + std::string(py::repr(self.attr(member)));
+    };
+    std::apply([&](const auto&... member) { (append(member.name), ...); }, members);
+    return std::string(name) + "(" + text + ")";
+  });
 }
 
 }  // namespace boxplus::python

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_error(module);
   bind_manifold(module);
   bind_kernel(module);
+  bind_information(module);
   bind_edge(module);
   bind_options(module);
   bind_report(module);
@@ -18,5 +19,7 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_file(module, graph);
   bind_optimizer(module);
   bind_covariance(module);
+  bind_diagnose(module);
+  bind_outliers(module);
   module.attr("__name__") = name;
 }

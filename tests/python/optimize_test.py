@@ -6,6 +6,7 @@ import signal
 import sys
 import threading
 import unittest
+import unittest.mock
 
 import boxplus
 import numpy as np
@@ -44,6 +45,12 @@ class Runs(unittest.TestCase):
         self.assertTrue(repr(report).startswith("converged: chi2 6.71444941"))
         self.assertEqual(str(report), repr(report))
         self.assertEqual(report._repr_html_().count("<tr>"), report.iterations + 2)
+
+    def test_a_report_without_pandas_says_what_is_missing(self):
+        report = optimize(square()[0])
+        with unittest.mock.patch.dict(sys.modules, pandas=None):  # import pandas fails
+            with self.assertRaisesRegex(ImportError, r"Report.to_pandas\(\) needs pandas, which cannot be imported"):
+                report.to_pandas()
 
     def test_options_are_attributes_and_keyword_arguments(self):
         graph, _ = square()

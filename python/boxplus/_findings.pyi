@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The types of diagnose() and find_outliers(). There is no such module at run time: the names are in boxplus.
+from __future__ import annotations
+
+from typing import Any
+
+import numpy
+
+from . import Array, EdgeRef, VertexRef
+from ._report import Enum, Report
+
+class Finding:
+    class Kind(Enum):
+        kNonFiniteEstimate: Finding.Kind
+        kNonFiniteError: Finding.Kind
+        kNonFiniteJacobian: Finding.Kind
+        kNothingMoves: Finding.Kind
+        kWrongJacobian: Finding.Kind
+        kIsolatedVertex: Finding.Kind
+        kFreeComponent: Finding.Kind
+        kZeroJacobian: Finding.Kind
+        kUndeterminedDirection: Finding.Kind
+        kSeenOnce: Finding.Kind
+        kBehindCameras: Finding.Kind
+        kFarPoint: Finding.Kind
+        kZeroInformation: Finding.Kind
+        kMixedUnits: Finding.Kind
+        kDuplicateEdge: Finding.Kind
+        kOutlier: Finding.Kind
+        kFixedEdge: Finding.Kind
+        kNotAtMinimum: Finding.Kind
+        kChi2Ratio: Finding.Kind
+    class Severity(Enum):
+        kNote: Finding.Severity
+        kWarning: Finding.Severity
+        kError: Finding.Severity
+    class Direction:
+        class Kind(Enum):
+            kAlong: Finding.Direction.Kind
+            kAbout: Finding.Direction.Kind
+            kScale: Finding.Direction.Kind
+            kTangent: Finding.Direction.Kind
+        kind: Finding.Direction.Kind
+        axis: Array
+        vertex: VertexRef
+        tangent: Array
+    kind: Finding.Kind
+    severity: Finding.Severity
+    text: str
+    vertices: list[VertexRef]
+    ids: list[int]
+    edges: list[EdgeRef]
+    directions: list[Finding.Direction]
+
+class Diagnosis:
+    findings: list[Finding]
+    is_complete: bool
+    at_minimum: bool
+    def ok(self) -> bool: ...
+    def count(self, severity: Finding.Severity | str) -> int: ...
+
+class Verdict(Enum):
+    kInlier: Verdict
+    kOutlier: Verdict
+    kUndecided: Verdict
+
+class EdgeVerdict:
+    edge: EdgeRef
+    from_: int
+    to: int
+    verdict: Verdict
+    weight: float
+    chi2: float
+    supported: bool
+
+class OutlierReport:
+    report: Report
+    verdicts: list[EdgeVerdict]
+    noise_scale: float
+    note: str
+    def count(self, verdict: Verdict | str) -> int: ...
+    def edges(self, verdict: Verdict | str) -> list[EdgeRef]: ...
+    def arrays(self) -> dict[str, numpy.ndarray[Any, numpy.dtype[Any]]]: ...
