@@ -77,7 +77,7 @@ std::vector<const PoseEdge*> ClosureSearch::accepted_edges() const {
 Report ClosureSearch::optimize_accepted(Options options) {
   options.edges = poses_.others;
   for (const PoseEdge* edge : accepted_edges()) options.edges.push_back(edge->edge);
-  const Report report = optimize(graph_, options);
+  Report report = optimize(graph_, options);
   measure();
   return report;
 }
