@@ -14,13 +14,13 @@ namespace boxplus {
 /// A camera with a value for each parameter, by its name.
 template <class Camera>
 Camera example_camera() {
-  static const std::map<std::string_view, double> kValues{
+  static const std::map<std::string_view, double> values{
       {"f", 500},   {"fx", 500},   {"fy", 510},   {"cx", 320},    {"cy", 240},   {"k", -0.1},
       {"k1", -0.1}, {"k2", 0.03},  {"k3", 0.01},  {"k4", 0.02},   {"k5", 0.05},  {"k6", -0.01},
       {"p1", 2e-3}, {"p2", -3e-3}, {"sx1", 1e-3}, {"sy1", -2e-3}, {"omega", 0.9}};
   Camera camera;
   for (int i = 0; i < Camera::kSize; ++i)
-    camera.parameters[i] = kValues.at(Camera::Model::kParameters[static_cast<std::size_t>(i)]);
+    camera.parameters[i] = values.at(Camera::Model::kParameters[static_cast<std::size_t>(i)]);
   return camera;
 }
 
