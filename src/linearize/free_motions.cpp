@@ -13,6 +13,7 @@ constexpr double kZero = 1e-6;
 /// The axes of the space that the orthonormal columns of Q span.
 std::vector<FreeMotions::Axis> axes_of(const MatrixXd& Q) {
   std::vector<FreeMotions::Axis> axes;
+  if (Q.cols() == 0) return axes;
   for (Eigen::Index i = 0; i < Q.rows(); ++i) {
     if (Q.row(i).squaredNorm() < 1 - kZero) continue;  // the coordinate axis is not in the space
     axes.emplace_back()[static_cast<std::size_t>(i)] = 1;
