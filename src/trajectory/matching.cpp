@@ -107,15 +107,20 @@ Poses placed_like(const Poses& cameras, const Poses& images) {
   return result;
 }
 
-/// The poses of a COLMAP model, with the ids of the cameras of a BAL problem. Sets `matched_by`.
-Poses numbered_like(const Poses& cameras, const Poses& images, const char*& matched_by) {
+/// The poses of a COLMAP model, in the order of the cameras of a BAL problem. Sets `matched_by`.
+Poses ordered_like(const Poses& cameras, const Poses& images, const char*& matched_by) {
   require_equally_many(cameras, images);
   Poses result = named_like_cameras(images);
   const bool by_name = result.size() == images.size();
   matched_by = by_name ? "name" : "position";
   if (!by_name) result = placed_like(cameras, images);
-  for (std::size_t k = 0; k < cameras.size(); ++k) result[k].id = cameras[k].id;
   return result;
+}
+
+std::vector<PosePair> matched_by_order(const Poses& result, const Poses& truth) {
+  std::vector<PosePair> pairs;
+  for (std::size_t k = 0; k < result.size(); ++k) pairs.push_back({result[k], truth[k]});
+  return pairs;
 }
 
 Poses with_colmap_axes(Poses cameras) {
@@ -146,12 +151,12 @@ PosePairs matched_poses(const Trajectory& result, const Trajectory& truth, doubl
     require_equally_many(result.poses, truth.poses);
     pairs = {matched_by_id(result.poses, truth.poses), "position"};
   } else if (are(Source::kBal, Source::kColmap)) {
-    const Poses images = numbered_like(result.poses, truth.poses, pairs.matched_by);
-    pairs.pairs = matched_by_id(with_colmap_axes(result.poses), images);
+    const Poses images = ordered_like(result.poses, truth.poses, pairs.matched_by);
+    pairs.pairs = matched_by_order(with_colmap_axes(result.poses), images);
     pairs.turns_result = true;
   } else if (are(Source::kColmap, Source::kBal)) {
-    const Poses images = numbered_like(truth.poses, result.poses, pairs.matched_by);
-    pairs.pairs = matched_by_id(images, with_colmap_axes(truth.poses));
+    const Poses images = ordered_like(truth.poses, result.poses, pairs.matched_by);
+    pairs.pairs = matched_by_order(images, with_colmap_axes(truth.poses));
   } else {
     pairs.pairs = matched_by_id(result.poses, truth.poses);
   }

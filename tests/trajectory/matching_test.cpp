@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "boxplus/base/error.h"
 #include "trajectory/tum.h"
 
@@ -34,6 +37,24 @@ TEST(MatchedPoses, ArePairedByIdAndLeaveOutAllOthers) {
   EXPECT_STREQ(matched.matched_by, "id");
   EXPECT_THAT(ids_of(matched.pairs), ElementsAre(3, 9));
   EXPECT_EQ(matched.pairs.front().result.position[0], 1);
+}
+
+TEST(MatchedPoses, OfAColmapModelAndABalProblemKeepTheirIds) {
+  Trajectory images, cameras;
+  images.source = TrajectorySource::kColmap;
+  cameras.source = TrajectorySource::kBal;
+  for (const Id k : {0, 1, 2}) {
+    images.poses.push_back({.id = 3 - k, .name = std::to_string(k)});
+    cameras.poses.push_back({.id = k});
+  }
+  const auto ids = [](const Trajectory& result, const Trajectory& truth) {
+    std::vector<Id> all;
+    for (const PosePair& pair : matched_poses(result, truth, 0).pairs)
+      all.insert(all.end(), {pair.result.id, pair.truth.id});
+    return all;
+  };
+  EXPECT_THAT(ids(images, cameras), ElementsAre(3, 0, 2, 1, 1, 2));
+  EXPECT_THAT(ids(cameras, images), ElementsAre(0, 3, 1, 2, 2, 1));
 }
 
 TEST(MatchedPoses, AreNoPosesInThePlaneAndInSpace) {

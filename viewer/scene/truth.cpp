@@ -86,6 +86,7 @@ void Truth::match(const Graph& graph, const GraphFile* file, const std::string& 
 
 TruthPlaces Truth::place(const Graph& graph, const Structure& structure) {
   std::erase_if(poses_->pairs, [&](const PosePair& pair) { return !graph.find_vertex(pair.result.id); });
+  facts_.matched = poses_->pairs.size();
   poses_->vertices.clear();
   for (const PosePair& pair : poses_->pairs) poses_->vertices.push_back(*graph.find_vertex(pair.result.id));
 

@@ -44,13 +44,17 @@ inline Json json_of(const Message& message) {
 /// The last message of each kind that a reader got until the worker waited; null if there was none.
 struct Settled {
   Json state, structure, frame, truth;
+  std::vector<std::string> log = {};  ///< the lines of all states
 };
 
 inline Settled settled_messages(Workspace::Reader& reader) {
   Settled last;
   while (!reader.has_ended()) {
     for (const Message& message : reader.wait(std::chrono::seconds(10))) {
-      if (kind_of(message) == MessageKind::kState) last.state = json_of(message);
+      if (kind_of(message) == MessageKind::kState) {
+        last.state = json_of(message);
+        for (const Json& line : last.state["log"]["lines"]) last.log.push_back(line["text"]);
+      }
       if (kind_of(message) == MessageKind::kStructure) last.structure = json_of(message);
       if (kind_of(message) == MessageKind::kFrame) last.frame = json_of(message);
       if (kind_of(message) == MessageKind::kTruth) last.truth = json_of(message);

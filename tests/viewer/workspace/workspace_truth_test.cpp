@@ -28,7 +28,7 @@ class WorkspaceWithTruth : public testing::Test {
   }
 
   std::string last_line(const Settled& messages) const {
-    return messages.state["log"]["lines"].back()["text"].get<std::string>();
+    return messages.log.empty() ? "" : messages.log.back();
   }
 
   Workspace workspace_;
