@@ -53,11 +53,12 @@ PosesByName by_name(const Poses& images) {
   PosesByName result;
   for (const TrajectoryPose& image : images) {
     const auto [other, is_new] = result.try_emplace(image.name, &image);
-    if (!is_new)
+    if (!is_new) {
       throw InvalidArgument(
           fmt::format("images are matched by name: expected different names in each COLMAP model, but images "
                       "{} and {} are both named '{}'",
                       other->second->id, image.id, escaped(image.name)));
+    }
   }
   return result;
 }

@@ -12,7 +12,6 @@ namespace boxplus::viewer {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// small_graph() at its optimum if the last edge measured 2, and a pose that it does not have.
 constexpr const char* kTruth =
