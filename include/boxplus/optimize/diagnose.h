@@ -79,7 +79,7 @@ struct [[nodiscard]] Diagnosis {
   /// False if Options::stop or Options::time_limit_s ended the diagnosis. `findings` is then not complete.
   bool is_complete = true;
   /// Whether chi2 is at a minimum as far as single vertices show: no vertex can lower it noticeably while all
-  /// others stay where they are. Only then, the diagnosis looks for outliers and judges chi2.
+  /// others stay where they are. If it is false, the diagnosis does not look for outliers or judge chi2.
   bool at_minimum = false;
 
   /// Whether there are only notes.

@@ -70,9 +70,8 @@ struct [[nodiscard]] OutlierReport {
 /// method:
 ///
 ///   1. The estimates follow the odometry, which false closures cannot distort.
-///   2. Closures between neighboring poses are tested in pairs. A closure that closes a cycle with another
-///   one
-///      is supported (Latif, Cadena & Neira, "Robust loop closing over time for pose graph SLAM", IJRR 2013,
+///   2. Closures between neighboring poses are tested in pairs. If two of them close a cycle, both are
+///      supported (Latif, Cadena & Neira, "Robust loop closing over time for pose graph SLAM", IJRR 2013,
 ///      and Mangelson et al., "Pairwise consistent measurement set maximization", ICRA 2018, test such
 ///      cycles). All pairs together determine the scale of the noise, so that Ω need only be right up to a
 ///      common factor.
@@ -93,8 +92,11 @@ struct [[nodiscard]] OutlierReport {
 /// error is large, and `note` says so. If Options::stop ends the search, all verdicts are kUndecided.
 ///
 /// If all closures may be true, the function first optimizes with all of them, and ends if they fit: this
-/// takes as long as one or two runs of optimize(). Otherwise, it takes about as long as 3 to 15 runs without
-/// the false closures.
+/// takes about as long as one to three runs of optimize(). Otherwise, it takes about as long as 2 to 15 runs
+/// without the false closures, and up to 25 on small or very noisy graphs.
+///
+/// `report` is about the accepted edges only: it may say "converged" although closures are undecided and the
+/// map is wrong. `note` then says so.
 OutlierReport find_outliers(Graph& graph, const OutlierOptions& options = {});
 
 }  // namespace boxplus

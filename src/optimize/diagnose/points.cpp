@@ -34,8 +34,9 @@ void find_points_behind_cameras(const Evidence& evidence, Findings& out) {
     sort_by_id(evidence.graph, finding.vertices);
     finding.severity = severity_by_share(finding.vertices.size(), views.points);
     finding.text = fmt::format(
-        "{} {} behind all cameras that see {}, from where a run seldom brings {} to the front: triangulate "
-        "{} again, or remove {}",
+        "{} {} behind all cameras that see {}, and a run seldom brings {} to the front: triangulate {} "
+        "again, "
+        "or remove {}",
         vertices_text(evidence.graph, finding.vertices), by_count(finding.vertices.size(), "is", "are"),
         them(finding), them(finding), them(finding), them(finding));
     out.push_back(std::move(finding));

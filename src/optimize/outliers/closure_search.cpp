@@ -173,7 +173,7 @@ void ClosureSearch::accept_in_stages() {
   optimize_briefly(kOdometryIterations, Start::kOdometry);
   for (int stage = 0; stage < kMostStages && !was_stopped(); ++stage) {
     const std::vector<Deviation> found = deviations(kFewTrees);
-    // Where the odometry is worse than its Ω says, only a larger scale explains true closures.
+    // If the odometry is worse than its Ω says, only a larger scale explains true closures.
     std::size_t added = 0;
     const double scale = noise_scale(), few = kFew * static_cast<double>(accepted_count());
     for (int inflation = 0; static_cast<double>(added) <= few && inflation <= kMostInflations; ++inflation)

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "optimize/outliers/disjoint_sets.h"
+#include "linearize/disjoint_sets.h"
 
 namespace boxplus::outliers {
 namespace {
@@ -102,7 +102,7 @@ CycleTests test_cycles(const PoseGraph& poses, const OdometryChain& chain, const
   }
   std::vector<std::uint32_t> size(poses.closures.size(), 0);
   for (std::uint32_t k = 0; k < poses.closures.size(); ++k) {
-    result.group.push_back(sets.root(k));
+    result.group.push_back(sets.find(k));
     ++size[result.group[k]];
   }
   for (const std::uint32_t group : result.group) result.group_size.push_back(size[group]);

@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "optimize/outliers/disjoint_sets.h"
+#include "linearize/disjoint_sets.h"
 
 namespace boxplus::outliers {
 namespace {

@@ -12,7 +12,7 @@ namespace boxplus::outliers {
 
 struct Bridges {
   std::vector<std::uint32_t> supported;    ///< closures that another closure supports
-  std::vector<std::uint32_t> unsupported;  ///< closures without support, where no others connect two parts
+  std::vector<std::uint32_t> unsupported;  ///< other closures; only these connect two parts
 };
 
 /// Chooses the closures with the most support that connect the parts of the odometry (a spanning tree). Parts

@@ -31,8 +31,9 @@ struct Scene {
   }
 };
 
-/// Expects that errors and Jacobians in lanes are those of the plain functions of the edges.
-void expect_plain_values(const Graph& graph) {
+/// Expects that errors and Jacobians in lanes are those of the plain functions of the edges. If `is_exact`,
+/// errors must have the same bits with and without Jacobians.
+void expect_plain_values(const Graph& graph, bool is_exact = true) {
   const detail::EdgePool& pool = *graph.edge_pools().front();
   for (const std::uint32_t count : {1u, 3u, 8u, 13u, 64u}) {
     std::vector<std::uint32_t> edges(count);
@@ -52,7 +53,9 @@ void expect_plain_values(const Graph& graph) {
     ASSERT_TRUE(lanes.in_lanes);
     ASSERT_FALSE(plain.in_lanes);
     ASSERT_TRUE(pool.errors_in_lanes(edges, only_error.data()));
-    // Without derivatives, the compiler may contract other products and sums to one rounding.
+    if (is_exact) {
+      EXPECT_EQ(only_error, error);
+    }
     for (std::size_t m = 0; m < error.size(); ++m)
       ASSERT_NEAR(only_error[m], error[m], 1e-14 * (1000 + std::abs(error[m])));
     const auto expect_near = [&](const std::vector<double>& in_lanes, const std::vector<double>& expected,
@@ -84,9 +87,11 @@ struct Forms {
   }
   void expect_plain_values() const {
     SCOPED_TRACE(Camera::kName);
-    boxplus::expect_plain_values(apart);
-    boxplus::expect_plain_values(together);
-    boxplus::expect_plain_values(calibrated);
+    // Without derivatives, the compiler contracts other products and sums of this model to one rounding.
+    constexpr bool kIsExact = !std::is_same_v<Camera, ThinPrismFisheyeCamera>;
+    boxplus::expect_plain_values(apart, kIsExact);
+    boxplus::expect_plain_values(together, kIsExact);
+    boxplus::expect_plain_values(calibrated, kIsExact);
   }
 };
 
