@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 60
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz page page-check ci ci-full install clean
+.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz page page-check ci ci-full install packages clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -38,16 +38,20 @@ test: setup ## builds everything and runs all tests
 bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@scripts/install_dependencies.sh scripts/debian-packages-bench.txt
 	@cmake --preset bench
-	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks boxplus_command
+	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks boxplus_command boxplus_python
 	@build/bench/bin/graph_file_bench
 	@build/bench/bin/dense_kernels_bench
+	@build/bench/bin/inertial_bench
 	@build/bench/bin/live_step_bench
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
+	@build/bench/bin/covariance_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/bundle_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@scripts/page_tools.sh
 	@node bench/viewer/viewer_bench.mjs build/bench/bin/boxplus "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
+	@PYTHONPATH=build/bench/python OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 /usr/bin/python3 bench/python/python_bench.py \
+	  build/bench/bin/boxplus "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@mv build/bench/RESULTS.md bench/RESULTS.md
 
 dev asan ubsan tsan: setup
@@ -75,9 +79,11 @@ tidy-changes: ## runs clang-tidy over the sources that changed since SINCE (the 
 format: ## formats all C++ files
 	@scripts/check_format.sh --fix
 
-check: ## checks the format, the direction of includes, and words in comments and documents
+check: ## checks the format, the direction of includes, the tests of the guarantees, and words in comments and documents
 	@scripts/check_format.sh
 	@scripts/check_includes.py
+	@scripts/check_sources.py
+	@scripts/check_guarantees.py
 	@scripts/count_words.py --check
 
 fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (60) each
@@ -103,6 +109,12 @@ ci-full: ci ## and all suites under each sanitizer, and clang-tidy over every so
 
 install: build ## installs headers, library, programs and CMake package under PREFIX (/usr/local)
 	@cmake --install build/release --prefix $(PREFIX)
+
+packages: setup ## makes Debian packages of the command, the library, the Python module and the g2o API in build/release/packages
+	@cmake --preset release
+	@cmake --build --preset release --parallel $(JOBS) --target packaged
+	@cpack --config build/release/CPackConfig.cmake
+	@ls build/release/packages/*.deb
 
 clean: ## removes build/
 	@rm -rf build

@@ -1,14 +1,10 @@
 # The files that `cmake --install` installs, and the package that find_package(boxplus) finds.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boxplus)
+# The components are packages (BoxplusPackages.cmake). `cmake --install` installs all of them.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 
-install(TARGETS boxplus EXPORT boxplus)
-foreach(target IN LISTS app_targets)
-  get_target_property(type ${target} TYPE)
-  if(type STREQUAL EXECUTABLE)
-    install(TARGETS ${target} RUNTIME)
-  endif()
-endforeach()
+install(TARGETS boxplus EXPORT boxplus LIBRARY COMPONENT library NAMELINK_COMPONENT development)
 if(TARGET boxplus_viewer)
   install(TARGETS boxplus_viewer EXPORT boxplusViewer)
   install(EXPORT boxplusViewer FILE boxplusViewerTargets.cmake NAMESPACE boxplus:: DESTINATION ${package_dir})
@@ -27,3 +23,4 @@ install(FILES ${PROJECT_BINARY_DIR}/boxplusConfig.cmake ${PROJECT_BINARY_DIR}/bo
 
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(BoxplusPackages)

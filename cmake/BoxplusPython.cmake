@@ -4,8 +4,9 @@
 # the interpreter.
 find_path(PYBIND11_INCLUDE_DIR pybind11/pybind11.h)
 
-# boxplus_ask_python(INTERPRETER RESULT): sets RESULT to the folder of the headers and the suffix of modules, or to a
-# text that begins with "no" and says what is missing.
+# boxplus_ask_python(INTERPRETER RESULT): sets RESULT to the folder of the headers, the suffix of modules and the folder of
+# packages below the prefix of an installation, or to a text that begins with "no" and says what is missing. An interpreter
+# that the user chose needs no NumPy, because only the tests run the module.
 function(boxplus_ask_python interpreter result)
   execute_process(
     COMMAND ${interpreter} -c "
@@ -15,9 +16,12 @@ try:
     import numpy
 except ImportError:
     numpy = None
-missing = ('no Python 3.9' if sys.version_info < (3, 9) else 'no NumPy' if not numpy else
+missing = ('no Python 3.9' if sys.version_info < (3, 9) else
+           'no NumPy' if not numpy and '${BOXPLUS_PYTHON}' != '${interpreter}' else
            'no headers' if not os.path.exists(os.path.join(folder, 'Python.h')) else None)
-print(missing or folder + ';' + sysconfig.get_config_var('EXT_SUFFIX'), end='')"
+packages = 'dist' if 'deb_system' in sysconfig.get_scheme_names() else 'site'
+print(missing or ';'.join((folder, sysconfig.get_config_var('EXT_SUFFIX'),
+      'lib/python%d.%d/%s-packages' % (*sys.version_info[:2], packages))), end='')"
     OUTPUT_VARIABLE answer ERROR_QUIET RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
     set(answer "no answer")
@@ -39,6 +43,7 @@ foreach(interpreter IN LISTS candidates)
   if(NOT answer MATCHES "^no ")
     list(GET answer 0 BOXPLUS_PYTHON_INCLUDE_DIR)
     list(GET answer 1 BOXPLUS_PYTHON_SUFFIX)
+    list(GET answer 2 BOXPLUS_PYTHON_INSTALL_DIR)
     set(BOXPLUS_PYTHON_PROGRAM ${interpreter})
     break()
   endif()

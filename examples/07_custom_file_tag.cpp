@@ -40,7 +40,7 @@ constexpr const char* kText =
     "VERTEX_XY 0 2.5 0.5\n"
     "EDGE_BEACON_RANGE 0 10 0 8.06 100\n"
     "EDGE_BEACON_RANGE 0 0 10 9.22 100\n"
-    "ROBOTLASER1 a line with an unknown tag is kept\n";
+    "SCAN is an unknown tag; the line is kept\n";
 
 int main() {
   // [registry]

@@ -6,6 +6,7 @@
 #include <boxplus/types/slam2d.h>
 #include <boxplus/types/slam2d/calibrate_drive.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -66,6 +67,15 @@ int main() {
   const double baseline_sigma = std::sqrt(certainty.of(drive)(2, 2));
   std::printf("the baseline is certain to %.4f m; chi2 per degree of freedom is %.2f\n", baseline_sigma,
               report.chi2_per_degree());
-  const double error = graph.estimate(drive).baseline - kTrueDrive.baseline;
-  return report.converged() && std::abs(error) < 4 * baseline_sigma ? 0 : 1;
+  // The errors of all six parameters, in standard deviations.
+  Vector<double, 6> errors;
+  Manifold<DifferentialDrive>::ominus(graph.estimate(drive), kTrueDrive, errors.data());
+  Manifold<SE2>::ominus(graph.estimate(mount), kTrueMount, errors.data() + 3);
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) {
+    worst = std::max(worst, std::abs(errors[i]) / std::sqrt(certainty.of(drive)(i, i)));
+    worst = std::max(worst, std::abs(errors[i + 3]) / std::sqrt(certainty.of(mount)(i, i)));
+  }
+  std::printf("every parameter is within %.1f standard deviations of the truth\n", worst);
+  return report.converged() && worst < 4 && std::abs(report.chi2_per_degree() - 1) < 0.2 ? 0 : 1;
 }

@@ -95,6 +95,8 @@ std::optional<GraphFile> read(const Files& files) {
     return read_graph(place);
   } catch (const InputError&) {
     return std::nullopt;
+  } catch (const FileError&) {  // a packed file that is damaged
+    return std::nullopt;
   }
 }
 

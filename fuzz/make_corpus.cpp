@@ -36,7 +36,11 @@ std::vector<std::string> examples(const Registry& registry) {
 /// A text with features that the other seeds do not have: comments, unknown tags, the vertex id −1,
 /// and several ids after FIX.
 std::string odds() {
-  return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\nVERTEX_SE2 3 1 +0 1e-3\r\n"
+  return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\n"
+         "ROBOTLASER1 0 -1 2 1 10 0 0 2 1.5 2 1 0.5 0 0 0 0 0 0 0 0 0 0 0 1.0 robot 2\nVERTEX_TAG x 1 0 0 0 "
+         "0 0 1 h 2\n"
+         "VERTEX_ELLIPSE 1 0 0 1 0 1 1 2 3\nRAWLASER1 0 -1 2 1 10 0 0 1 1.5 0 1 h 2\nVERTEX_SE2 3 1 +0 "
+         "1e-3\r\n"
          "FIX 0 3\n\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 1 0 0 1 0 0 1 0 1\nUNKNOWN\n";
 }
 
@@ -93,20 +97,67 @@ std::vector<std::string> colmap() {
   return seeds;
 }
 
+/// A graph with every member that an element may have.
+std::string attributes() {
+  return R"({"kept": [{"after_edge": 0, "text": "# \u00e9"}, {"bytes": [35, 255]}], "format": "boxplus graph",
+"parameters": [{"tag": "PARAMS_SE2OFFSET", "id": 5, "fields": [1, 0, 0.25], "fixed": false}], "version": 1,
+"vertices": [{"tag": "VERTEX_SE2", "id": 0, "fields": [0, 0, 0], "fixed": true},
+{"tag": "VERTEX_XY", "id": 2, "fields": [2, 3e0], "fixed_directions": [1], "eliminated": true}],
+"edges": [{"ids": [0, 2, 5], "tag": "EDGE_SE2_POINTXY_OFFSET", "information": [1, 0, 1], "fields": [1, 1],
+"kernel": {"width": 0.5, "name": "Barron:1.5"}, "level": -1, "enabled": false}]})";
+}
+
+/// The messages of a log, with a scan before the first pose and a pose that occurs twice.
+std::string carmen() {
+  return "# CARMEN Logfile\nPARAM robot_length 0.5 1 host 0.1\n"
+         "RAWLASER1 0 -1 2 1 10 0 0 2 1.5 2 0 1 host 0.2\nODOM 0 0 0 0 0 0 1 host 0.3\n"
+         "FLASER 3 1 2 81.9 0.1 0 0 0 0 0 1 host 0.4\nODOM 1 0.1 0.2 0.5 0 0 2 host 0.5\n"
+         "RLASER 2 1 2 0.9 0 3.1 1.5 0.1 0.2 2 host 0.6\nSYNC x 2 host 0.7\n"
+         "ROBOTLASER1 0 -1 2 1 10 0 0 2 1.5 2 1 0.5 2 0 0 2 0.1 3 0 0 0 0 0 3 host 0.8\n";
+}
+
+/// Poses with a scan, with the older names of tags.
+std::string gm2dl() {
+  return "VERTEX 0 0 0 0\nROBOTLASER1 0 -1 2 1 10 0 0 1 1.5 0 0 0 0 0 0 0 0 0 0 0 0 1 host 2\n"
+         "VERTEX 1 1 0 0.5\nEDGE 0 1 1 0 0.5 4 1 3 2 0 0.5\n";
+}
+
+/// Measurements in the plane and in space. The first text has a landmark with the id of a pose.
+std::vector<std::string> isam() {
+  const std::string plane =
+      "ODOMETRY 0 1 1 0 0.5 10 0 0 10 0 20\nODOMETRY 1 2 1 0 0.5 10 1 2 10 3 20\n"
+      "LANDMARK 0 1 2 3 5 1 5\nLANDMARK 2 1 -1 3 5 0 5\nEDGE2 0 2 2 0 1 1 0 0 1 0 1\nCAMERA 1 2\n";
+  const std::string space =
+      "ODOMETRY3 0 1 1 0 0.5 0.1 -0.2 3 3 0 0 0 0 0 3 0 0 0 0 3 0 0 0 2 0 0 2 0 2\n"
+      "POINT3 1 7 1 2 3 5 0 1 5 0 5\n";
+  return {plane, space};
+}
+
 /// Commands, and the parts of requests as lines (fuzz_view_request.cpp).
 std::vector<std::string> view_requests() {
+  const std::string post =
+      "POST\n/command\n127.0.0.1:8743\nhttp://127.0.0.1:8743\nsame-origin\napplication/json\n"
+      "0123456789abcdef0123456789abcdef\n";
   return {R"({"type": "optimize", "settings": {"algorithm": "dogleg", "iterations": "20"}})",
           R"({"type": "edit", "edit": "scale", "factor": "0.5", "structure": "3", "line": "7"})",
-          R"({"type": "guess", "start": "odometry"})", "structure\n3\nvertex\n7\n",
-          "POST\n/command\n127.0.0.1:8743\nhttp://127.0.0.1:8743\nsame-origin\napplication/json\n"
-          "0123456789abcdef0123456789abcdef\n"};
+          R"({"type": "guess", "start": "odometry"})", "structure\n3\nvertex\n7\n", post};
+}
+
+/// Streams of commands (fuzz_protocol.cpp).
+std::vector<std::string> protocols() {
+  return {
+      "ADD VERTEX_XYT 0 1 2 0.5;\nFIX 0; # a comment\nADD VERTEX_XYT 1;\n"
+      "ADD EDGE_XYT 7 0 1 1 0 0.1 1 0 0 1 0 1; ADD EDGE_XYT 1 2 1 0\n0.1 1 0 0 1 0 1;\n"
+      "SOLVE_STATE;QUERY_STATE;\nQUERY_STATE 1 2;",
+      "ADD VERTEX_XYZRPY 3 1 2 3 0.1 1.5707963267948966 -0.3;\n"
+      "ADD EDGE_XYZRPY 3 4 1 0 0 0.1 0 0.2 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1;\nQUERY_STATE;\n"};
 }
 
 /// The tags of the lines of a format. A TORO file has only the tags of TORO.
 Registry tags(const std::string& format) {
   Registry registry;
-  if (format == "g2o") registry = default_registry();
-  if (format == "toro") register_toro(registry);
+  if (format == "g2o" || format == "json") registry = default_registry();
+  if (format == "toro" || format == "gm2dl") register_toro(registry);
   return registry;
 }
 
@@ -114,11 +165,18 @@ Registry tags(const std::string& format) {
 std::vector<std::string> seeds(const std::string& format) {
   if (format == "bal") return {bal(), "1 1 0\n0 0 0 0 0 0 500 0 0\n1 2 3\n", "0 0 0\n"};
   if (format == "colmap") return colmap();
+  if (format == "carmen") return {carmen()};
+  if (format == "gm2dl") return {gm2dl()};
+  if (format == "isam") return isam();
   if (format == "view_request") return view_requests();
+  if (format == "protocol") return protocols();
   std::vector<std::string> all = examples(tags(format));
-  if (format != "g2o") return all;
+  if (format == "toro") return all;
   all.push_back(odds());
   for (const World world : kWorlds) all.push_back(simulated(world));
+  if (format != "json") return all;
+  for (std::string& text : all) text = format_graph(parse_graph(text, "seed"), {.format = "json"});
+  all.push_back(attributes());
   return all;
 }
 
@@ -137,7 +195,9 @@ void write_corpus(const std::string& format, const std::filesystem::path& folder
 
 int main(int argc, char** argv) {
   if (argc != 3 || boxplus::seeds(argv[1]).empty()) {
-    std::fprintf(stderr, "usage: make_corpus bal|colmap|g2o|toro|view_request FOLDER\n");
+    std::fprintf(
+        stderr,
+        "usage: make_corpus bal|carmen|colmap|g2o|gm2dl|isam|json|protocol|toro|view_request FOLDER\n");
     return 2;
   }
   boxplus::write_corpus(argv[1], argv[2]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus help [COMMAND]: prints a help text, or all help texts in the form of docs/cli.md.
+// boxplus help [COMMAND]: prints a help text, or all help texts in the form of docs/cli.md or of a manual
+// page.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +8,7 @@
 
 #include "command.h"
 #include "command_line/description.h"
+#include "command_line/man_page.h"
 #include "command_line/option_kinds.h"
 
 namespace boxplus::app {
@@ -14,7 +16,7 @@ namespace {
 
 struct HelpArguments {
   std::string command;
-  bool markdown = false;
+  bool markdown = false, man = false;
 };
 
 /// Escapes vertical bars, because a bar would end the cell of a Markdown table.
@@ -58,6 +60,8 @@ std::string markdown_of(const CommandDescription& root) {
 int print_help(const CLI::App& root, const HelpArguments& arguments) {
   if (arguments.markdown) {
     fmt::print("{}", markdown_of(describe(root)));
+  } else if (arguments.man) {
+    fmt::print("{}", man_page(describe(root)));
   } else {
     const CLI::App* chosen = arguments.command.empty() ? &root : root.get_subcommand(arguments.command);
     fmt::print("{}", chosen->get_formatter()->make_help(chosen, "", CLI::AppFormatMode::Normal));
@@ -76,6 +80,7 @@ void add_help(CLI::App& app, Action& action) {
   command->add_option("COMMAND", arguments->command, "The command")->check(one_of(names));
   command->add_flag("--markdown", arguments->markdown,
                     "Print all help texts as Markdown, in the form of docs/cli.md");
+  command->add_flag("--man", arguments->man, "Print all help texts as a manual page");
   command->footer("Example:\n  boxplus help optimize");
   command->callback(
       [&app, &action, arguments] { action = [&app, arguments] { return print_help(app, *arguments); }; });

@@ -5,23 +5,17 @@
 // contains the elimination order and memory layout of H; docs/live.md describes when it can be extended.
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "boxplus/boxplus.h"
 #include "boxplus/testing/simulate.h"
+#include "datasets/cpu_time.h"
 #include "datasets/median.h"
 
 namespace boxplus::bench {
 namespace {
-
-double cpu_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Builds a copy of a simulated graph, pose by pose.
 template <class Pose>

@@ -4,16 +4,20 @@
 //
 //     types/slam2d.h, types/slam3d.h       all ready-made edges in 2-D and in 3-D
 //     types/ba.h                           cameras and reprojection errors, for bundle adjustment
+//     types/ba/bundle_parts.h              holds poses, points or intrinsics of bundle adjustment
 //     types/dense_prior.h                  a prior on several vertices at once
+//     types/inertial.h                     IMU, directions, magnetic field, time offsets
+//     types/hand_eye.h                     hand-eye calibration
 //     types/slam2d/calibrate_drive.h       a start for the calibration of a differential drive
 //     manifold/so2.h, s2.h, sim3.h         rotations in 2-D, directions, similarities
 //     manifold/convert_to.h                poses of Eigen, Sophus and other libraries
 //     robust/huber.h, redescending.h,      robust kernels; make_robust_kernel() makes them by name
 //     robust/barron.h, default_width.h
-//     io/registry.h, io/file_format.h      custom file tags and formats
+//     io/registry.h, file_format.h, data.h custom file tags and formats; data in files
 //     optimize/algorithm.h                 custom algorithms
+//     optimize/certificate.h               whether the minimum of a pose graph is global
 //     optimize/diagnose.h                  what is wrong with a graph
-//     optimize/outliers.h                  which loop closures are false
+//     optimize/outliers.h                  which edges are false
 //     linear/linear_solver.h               custom linear solvers
 //     testing/check_jacobians.h, …         checks of custom types
 #pragma once

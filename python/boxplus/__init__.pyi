@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Sequence, overload
+from typing import Any, Callable, Literal, NamedTuple, Sequence, overload
 
 import numpy
 from numpy.typing import ArrayLike
 
+from . import rows as rows
 from ._report import Enum
 from ._findings import Diagnosis as Diagnosis
 from ._findings import EdgeVerdict as EdgeVerdict
 from ._findings import Finding as Finding
 from ._findings import OutlierReport as OutlierReport
+from ._findings import Suspects as Suspects
 from ._findings import Verdict as Verdict
 from ._report import AlgorithmKind as AlgorithmKind
 from ._report import GaugeFreedom as GaugeFreedom
@@ -31,7 +33,7 @@ Array = numpy.ndarray[Any, numpy.dtype[numpy.float64]]
 Ids = numpy.ndarray[Any, numpy.dtype[numpy.int64]]
 Vertex = VertexRef | int
 Estimate = SE2 | SE3 | ArrayLike
-VertexType = type[SE2] | type[SE3] | type[Vector2] | type[Vector3]
+VertexType = type[SE2] | type[SE3] | type[Array]
 
 class Error(RuntimeError): ...
 class InvalidArgument(Error, ValueError): ...
@@ -40,10 +42,41 @@ class InputError(Error, ValueError):
     column: int
 class FileError(Error, OSError): ...
 
+# Vector2(x, y) is a plain NumPy array of two numbers; for a type checker, it is also a Vector2.
+class Vector1(Array):
+    def __init__(self, x: float) -> None: ...
 class Vector2(Array):
-    def __new__(cls, x: float, y: float) -> Array: ...
+    def __init__(self, x: float, y: float) -> None: ...
 class Vector3(Array):
-    def __new__(cls, x: float, y: float, z: float) -> Array: ...
+    def __init__(self, x: float, y: float, z: float) -> None: ...
+class Vector4(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector5(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector6(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector7(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector8(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector9(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector10(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector11(Array):
+    def __init__(self, *numbers: float) -> None: ...
+class Vector12(Array):
+    def __init__(self, *numbers: float) -> None: ...
+
+class BatchedEdge:
+    def error(self, *arguments: Any, **options: Any) -> Any: ...
+
+class EdgeFunctionCost(NamedTuple):
+    name: str
+    jacobians: str
+    calls: int
+    edges: int
+    seconds: float
 
 class SO2:
     @overload
@@ -216,7 +249,9 @@ class Graph:
     def discard_top(self) -> None: ...
     def stack_size(self) -> int: ...
     def clear(self) -> None: ...
-    def add_edge(self, edge: Edge, *vertices: Vertex, information: float | ArrayLike = 1.0) -> EdgeRef: ...
+    def add_edge(
+        self, edge: Edge | Callable[..., Any], *vertices: Vertex, information: float | ArrayLike = 1.0
+    ) -> EdgeRef: ...
     def measurement(self, edge: EdgeRef) -> Any: ...
     def set_measurement(self, edge: EdgeRef, measurement: Estimate | float) -> None: ...
     def information(self, edge: EdgeRef) -> Array: ...
@@ -242,7 +277,11 @@ class Graph:
     def estimates(self, type: VertexType) -> tuple[Ids, Array]: ...
     def set_estimates(self, type: VertexType, ids: ArrayLike, estimates: ArrayLike) -> None: ...
     def add_edges(
-        self, type: type[Edge], *vertices: Vertex | ArrayLike, measurements: ArrayLike, informations: ArrayLike = 1.0
+        self,
+        type: type[Edge] | BatchedEdge | Callable[..., Any],
+        *vertices: Vertex | ArrayLike,
+        measurements: ArrayLike | None = None,
+        informations: ArrayLike = 1.0,
     ) -> list[EdgeRef]: ...
     notes: list[Note]
     format: str
@@ -250,7 +289,7 @@ class Graph:
     def save(self, path: str | os.PathLike[str], *, format: str = "") -> None: ...
     def to_text(self, *, format: str = "") -> str: ...
 
-def load(path: str | os.PathLike[str], *, lenient: bool = False, threads: int = 0) -> Graph: ...
+def load(path: str | os.PathLike[str], *, lenient: bool = False, information: Literal["refuse", "project", "as-given"] = "refuse", threads: int = 0) -> Graph: ...
 
 class StopFlag:
     def set(self) -> None: ...
@@ -285,6 +324,7 @@ class Options:
     level: int
     vertices: Sequence[VertexRef]
     edges: Sequence[EdgeRef]
+    outliers: Suspects | None
     callback: Callable[[IterationRecord], bool | None] | None
     stop: StopFlag | None
 
@@ -329,6 +369,7 @@ def find_outliers(
     graph: Graph,
     options: Options | None = None,
     *,
+    suspects: Suspects | str = ...,
     false_alarm: float = ...,
     evidence: float = ...,
     window: int = ...,

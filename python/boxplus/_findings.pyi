@@ -59,6 +59,10 @@ class Diagnosis:
     def ok(self) -> bool: ...
     def count(self, severity: Finding.Severity | str) -> int: ...
 
+class Suspects(Enum):
+    kLoopClosures: Suspects
+    kAll: Suspects
+
 class Verdict(Enum):
     kInlier: Verdict
     kOutlier: Verdict
@@ -74,6 +78,7 @@ class EdgeVerdict:
     supported: bool
 
 class OutlierReport:
+    suspects: Suspects
     report: Report
     verdicts: list[EdgeVerdict]
     noise_scale: float

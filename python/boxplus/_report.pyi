@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import VertexRef
+from . import EdgeFunctionCost, VertexRef
+from ._findings import EdgeVerdict, Finding
 
 class Enum:
     name: str
@@ -152,6 +153,9 @@ class Report:
     gauge: Report.GaugeReport
     rejection: Report.RejectionReport
     records: list[IterationRecord]
+    verdicts: list[EdgeVerdict]
+    outlier_note: str
+    findings: list[Finding]
     algorithm: str
     linear_solver: str
     vertices: int
@@ -173,6 +177,7 @@ class Report:
     plan_extended: bool
     time: Report.Timings
     kRejectedWeight: float
+    edge_functions: tuple[EdgeFunctionCost, ...]
     def converged(self) -> bool: ...
     def chi2_per_degree(self) -> float: ...
     def chi2_start(self) -> float: ...

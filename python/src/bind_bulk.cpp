@@ -11,6 +11,7 @@
 
 #include "bind.h"
 #include "edge_kinds.h"
+#include "function_edges.h"
 #include "vertex_kinds.h"
 
 namespace boxplus::python {
@@ -194,28 +195,10 @@ class Columns {
   std::vector<VertexRef> refs_;
 };
 
-py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices, py::handle measurements,
-                   py::handle informations) {
-  Graph& graph = self.write();
-  const std::string family = family_of(type);
-  if (!py::isinstance<py::type>(type)) throw_type_error("type", "the class " + family, type);
-  const Numbers numbers = read_numbers(measurements, "measurements");
-  if (numbers.ndim() == 0) throw_value_error("measurements", "an array with a row per edge", measurements);
-  const auto count = static_cast<std::size_t>(numbers.shape(0));
-  Columns columns(graph, vertices, count);
-  if (count == 0) return py::list();
-
-  const EdgeKind& kind = kind_for(family, graph, columns.of_edge(0));
-  columns.require_same_types(graph, count);
-  const Numbers rows = read_rows(numbers, kind.size, "measurements", kind.layout);
-  const Informations omegas(informations, kind.rows, "informations");
-  omegas.require_count(count);
-
+/// Adds edges with add(edge), one after the other, and returns their EdgeRefs.
+template <class Add>
+py::list add_all(Graph& graph, std::size_t count, const Add& add) {
   AddedEdges added(graph, count);
-  const auto add = [&](std::size_t edge) {
-    const double* row = rows.data() + edge * static_cast<std::size_t>(kind.size);
-    return kind.add_row(graph, row, {"measurements", edge}, omegas[edge], columns.of_edge(edge).data());
-  };
   for (std::size_t edge = 0; edge < count; ++edge) {
     try {
       added.push_back(add(edge));
@@ -230,6 +213,58 @@ py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices,
   return edges;
 }
 
+/// The number of edges: that of the measurements or, without measurements, of the longest array of vertices.
+std::size_t count_edges(const py::args& vertices, py::handle measurements) {
+  if (!measurements.is_none()) {
+    const Numbers numbers = read_numbers(measurements, "measurements");
+    if (numbers.ndim() == 0) throw_value_error("measurements", "an array with a row per edge", measurements);
+    return static_cast<std::size_t>(numbers.shape(0));
+  }
+  std::size_t count = vertices.empty() ? 0 : 1;
+  for (const py::handle column : vertices) {
+    if (!py::isinstance<VertexRef>(column) && !is_integer(column)) return read_ids(column, "vertices").size();
+  }
+  return count;
+}
+
+py::list add_function_edges(Graph& graph, const py::object& edge, const py::args& vertices,
+                            const py::object& measurements, py::handle informations) {
+  const std::size_t count = count_edges(vertices, measurements);
+  Columns columns(graph, vertices, count);
+  if (count == 0) return py::list();
+  columns.require_same_types(graph, count);
+  FunctionEdges edges(graph, edge, columns.of_edge(0), measurements);
+  const Informations omegas(informations, edges.rows(), "informations");
+  omegas.require_count(count);
+  return add_all(graph, count, [&](std::size_t k) { return edges.add(k, omegas[k], columns.of_edge(k)); });
+}
+
+py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices,
+                   const py::object& measurements, py::handle informations) {
+  Graph& graph = self.write();
+  if (is_batched_function(type))
+    return add_function_edges(graph, py::reinterpret_borrow<py::object>(type), vertices, measurements,
+                              informations);
+  const std::string family = family_of(type);
+  if (!py::isinstance<py::type>(type)) throw_type_error("type", "the class " + family, type);
+  const Numbers numbers = read_numbers(measurements, "measurements");
+  if (numbers.ndim() == 0) throw_value_error("measurements", "an array with a row per edge", measurements);
+  const auto count = static_cast<std::size_t>(numbers.shape(0));
+  Columns columns(graph, vertices, count);
+  if (count == 0) return py::list();
+
+  const EdgeKind& kind = kind_for(family, graph, columns.of_edge(0));
+  columns.require_same_types(graph, count);
+  const Numbers rows = read_rows(numbers, kind.size, "measurements", kind.layout);
+  const Informations omegas(informations, kind.rows, "informations");
+  omegas.require_count(count);
+
+  return add_all(graph, count, [&](std::size_t edge) {
+    const double* row = rows.data() + edge * static_cast<std::size_t>(kind.size);
+    return kind.add_row(graph, row, {"measurements", edge}, omegas[edge], columns.of_edge(edge).data());
+  });
+}
+
 }  // namespace
 
 void bind_bulk(GraphClass& type) {
@@ -240,14 +275,16 @@ void bind_bulk(GraphClass& type) {
       .def("estimates", &estimates, py::arg("type"),
            "The ids of all vertices of a type, ascending, and their estimates, one per row.")
       .def("set_estimates", &set_estimates, py::arg("type"), py::arg("ids"), py::arg("estimates"))
-      .def("add_edges", &add_edges, py::arg("type"), py::kw_only(), py::arg("measurements"),
+      .def("add_edges", &add_edges, py::arg("type"), py::kw_only(), py::arg("measurements") = py::none(),
            py::arg("informations") = 1.0,
            "add_edges(Between, i, j, measurements=z, informations=omega): adds an edge per row of the "
            "measurements. "
            "The vertices are arrays of ids, or one vertex for all edges. The informations are a number or a "
            "matrix "
            "for all edges, or an array of numbers (n,) or of matrices (n, d, d). Returns the list of "
-           "EdgeRefs.");
+           "EdgeRefs. Instead of a class, the first argument may be an error function: an object with a "
+           "method "
+           "error(estimates..., measurements) that computes the errors of all edges at once (BatchedEdge).");
 }
 
 }  // namespace boxplus::python

@@ -11,6 +11,7 @@
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "edge_kinds.h"
+#include "function_edges.h"
 
 namespace boxplus::python {
 namespace {
@@ -18,6 +19,12 @@ namespace {
 EdgeRef add_edge(GraphObject& self, py::handle edge, const py::args& vertices, py::handle information) {
   Graph& graph = self.write();
   const std::vector<VertexRef> refs = vertices_of(graph, vertices, "vertices");
+  if (is_function(edge)) {
+    FunctionEdges edges(graph, py::reinterpret_borrow<py::object>(edge), refs, py::none());
+    const Informations informations(information, edges.rows(), "information");
+    informations.require_count(1);
+    return edges.add(0, informations[0], refs);
+  }
   const EdgeKind& kind = kind_for(family_of(edge), graph, refs);
   const Informations informations(information, kind.rows, "information");
   informations.require_count(1);
@@ -61,7 +68,13 @@ void set_kernel(GraphObject& self, py::handle edges, const py::object& kernel, s
 template <class Function>
 void def_edge(GraphClass& type, const char* name, Function function, const char* doc = "") {
   type.def(
-      name, [function](const GraphObject& self, const EdgeRef& edge) { return function(self.read(), edge); },
+      name,
+      [function](const GraphObject& self, const EdgeRef& edge) {
+        const Graph& graph = self.read();
+        const GraphObject::Reading reading(self);
+        const FreshEdge fresh(graph, edge);
+        return function(graph, edge);
+      },
       py::arg("edge"), doc);
 }
 
@@ -69,7 +82,9 @@ void bind_measurements(GraphClass& type) {
   type.def("add_edge", &add_edge, py::arg("edge"), py::kw_only(), py::arg("information") = 1.0,
            "add_edge(Between(z), a, b, information=100): adds an edge. The information Ω is a number or a "
            "symmetric "
-           "matrix, the inverse of the covariance of the error. Returns its EdgeRef.");
+           "matrix, the inverse of the covariance of the error. Returns its EdgeRef. The edge may also be a "
+           "function "
+           "of the estimates that returns the error: a number or an array.");
   def_edge(type, "measurement", [](const Graph& graph, EdgeRef edge) {
     return kind_of_edge(graph, edge).measurement(graph, edge);
   });
@@ -138,7 +153,13 @@ void bind_weights(GraphClass& type) {
       type, "chi2", [](const Graph& graph, EdgeRef edge) { return graph.chi2(edge); },
       "eᵀΩe of an edge, without its kernel.");
   type.def(
-      "chi2", [](const GraphObject& self) { return self.read().chi2(); },
+      "chi2",
+      [](const GraphObject& self) {
+        const Graph& graph = self.read();
+        const GraphObject::Reading reading(self);
+        forget_results(graph);
+        return graph.chi2();
+      },
       "Σ ρ(eᵀΩe) over all enabled edges.");
 }
 

@@ -7,13 +7,24 @@
 
 #include "bind.h"
 #include "boxplus/io/graph_file.h"
+#include "convert.h"
 
 namespace boxplus::python {
 namespace {
 
-std::shared_ptr<GraphObject> load(const std::filesystem::path& path, bool lenient, int threads) {
+ReadOptions::Indefinite read_policy(const std::string& name) {
+  if (name == "refuse") return ReadOptions::Indefinite::kRefuse;
+  if (name == "project") return ReadOptions::Indefinite::kProject;
+  if (name == "as-given") return ReadOptions::Indefinite::kAsGiven;
+  throw_value_error("information", "\"refuse\", \"project\" or \"as-given\"", py::str(name));
+}
+
+std::shared_ptr<GraphObject> load(const std::filesystem::path& path, bool lenient,
+                                  const std::string& information, int threads) {
+  const ReadOptions::Indefinite indefinite = read_policy(information);
   const py::gil_scoped_release release;
-  return std::make_shared<GraphObject>(read_graph(path.string(), {.lenient = lenient, .threads = threads}));
+  return std::make_shared<GraphObject>(
+      read_graph(path.string(), {.lenient = lenient, .indefinite = indefinite, .threads = threads}));
 }
 
 }  // namespace
@@ -28,11 +39,15 @@ void bind_file(py::module_& module, GraphClass& graph) {
       .def("__repr__",
            [](const Note& note) { return "line " + std::to_string(note.line) + ": " + note.text; });
   module.def(
-      "load", &load, py::arg("path"), py::kw_only(), py::arg("lenient") = false, py::arg("threads") = 0,
+      "load", &load, py::arg("path"), py::kw_only(), py::arg("lenient") = false,
+      py::arg("information") = "refuse", py::arg("threads") = 0,
       "Reads a graph: .g2o, TORO, BAL or COLMAP. Raises FileError if the file cannot be opened, and "
       "InputError "
       "(file:line:column) for invalid input. With lenient=True, lines that cannot be read are skipped and "
-      "noted in Graph.notes.");
+      "noted in Graph.notes. `information` says what to do with an indefinite information matrix: \"refuse\" "
+      "the "
+      "file, \"project\" (the nearest positive semi-definite matrix replaces it), or \"as-given\". A note "
+      "counts these edges.");
   graph
       .def_property_readonly(
           "notes", [](const GraphObject& self) { return self.file().notes; }, "The notes of load().")

@@ -158,12 +158,6 @@ void bind_state(GraphClass& type) {
           "A deep copy. VertexRefs and EdgeRefs also name the elements of the copy.")
       .def("__deepcopy__",
            [](const GraphObject& self, const py::dict&) { return std::make_shared<GraphObject>(self); })
-      .def("__reduce_ex__",
-           [](const GraphObject&, int) -> py::object {
-             throw py::type_error(
-                 "Graph: cannot be pickled, because no file format keeps all of a graph (kernels, levels, "
-                 "eliminated vertices); use save() and load()");
-           })
       .def("__repr__", [](const GraphObject& self) {
         return "Graph(" + std::to_string(self.read().vertex_count()) + " vertices, " +
                std::to_string(self.read().edge_count()) + " edges)";

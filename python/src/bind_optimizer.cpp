@@ -7,6 +7,7 @@
 
 #include "bind.h"
 #include "boxplus/optimize/optimizer.h"
+#include "function_edges.h"
 #include "observer.h"
 #include "options_object.h"
 
@@ -20,8 +21,17 @@ Options native(const OptionsObject& object, Observer& observer) {
   return options;
 }
 
-Report optimize_graph(GraphObject& graph, py::handle options, const py::kwargs& changes) {
+/// The report, with what the error functions of Python have cost in this run.
+py::object with_costs(const Report& report, const py::list& before, const Graph& graph) {
+  py::object result = py::cast(report);
+  result.attr("edge_functions") =
+      py::module_::import("boxplus._batched").attr("costs_of_run")(before, costs_of_functions(graph));
+  return result;
+}
+
+py::object optimize_graph(GraphObject& graph, py::handle options, const py::kwargs& changes) {
   const OptionsObject object = options_with(options, changes);
+  const py::list costs = costs_of_functions(graph.read());
   GraphObject::Run run(graph);
   Observer observer(run, object.callback);
   Report report;
@@ -30,7 +40,7 @@ Report optimize_graph(GraphObject& graph, py::handle options, const py::kwargs& 
     report = optimize(run.graph(), native(object, observer));
   }
   observer.rethrow();
-  return report;
+  return with_costs(report, costs, run.graph());
 }
 
 /// An Optimizer and its graph.
@@ -39,7 +49,8 @@ class OptimizerObject {
   OptimizerObject(std::shared_ptr<GraphObject> graph, py::handle options, const py::kwargs& changes)
       : graph_(std::move(graph)), options_(options_with(options, changes)), optimizer_(graph_->write()) {}
 
-  Report run() {
+  py::object run() {
+    const py::list costs = costs_of_functions(graph_->read());
     GraphObject::Run run(*graph_);
     const OptionsObject options = options_;
     Observer observer(run, options.callback);
@@ -50,7 +61,7 @@ class OptimizerObject {
       report = optimizer_.run();
     }
     observer.rethrow();
-    return report;
+    return with_costs(report, costs, run.graph());
   }
   const OptionsObject& options() const { return options_; }
   void set_options(py::handle options, const py::kwargs& changes) {

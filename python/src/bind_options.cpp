@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,13 +40,17 @@ constexpr std::tuple kOptions{Member{"algorithm", &Options::algorithm},
                               Member{"threads", &Options::threads},
                               Member{"level", &Options::level},
                               Member{"vertices", &Options::vertices},
-                              Member{"edges", &Options::edges}};
+                              Member{"edges", &Options::edges},
+                              Member{"outliers", &Options::outliers}};
 static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 3,
               "kOptions does not have all members of Options");
 
 template <class T>
 void read(py::handle value, const std::string& name, T& out) {
-  if constexpr (std::is_enum_v<T>) {
+  if constexpr (std::is_same_v<T, std::optional<Suspects>>) {
+    out.reset();
+    if (!value.is_none()) out = read_enumerator<Suspects>(value, name);
+  } else if constexpr (std::is_enum_v<T>) {
     out = read_enumerator<T>(value, name);
   } else if constexpr (std::is_same_v<T, bool>) {
     if (!py::isinstance<py::bool_>(value)) throw_type_error(name, "a bool", value);

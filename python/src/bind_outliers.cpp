@@ -31,8 +31,9 @@ constexpr std::tuple kVerdict{Member{"edge", &EdgeVerdict::edge},
                               Member{"chi2", &EdgeVerdict::chi2},
                               Member{"supported", &EdgeVerdict::supported}};
 constexpr std::tuple kOutlierReport{
-    Member{"report", &OutlierReport::report}, Member{"verdicts", &OutlierReport::verdicts},
-    Member{"noise_scale", &OutlierReport::noise_scale}, Member{"note", &OutlierReport::note}};
+    Member{"suspects", &OutlierReport::suspects}, Member{"report", &OutlierReport::report},
+    Member{"verdicts", &OutlierReport::verdicts}, Member{"noise_scale", &OutlierReport::noise_scale},
+    Member{"note", &OutlierReport::note}};
 
 /// A search in a thread of its own. The calling thread, which may be the only one that can handle signals,
 /// looks for them meanwhile. It also calls the callback.
@@ -116,10 +117,11 @@ int read_window(py::handle value) {
   return static_cast<int>(window);
 }
 
-OutlierReport find(GraphObject& graph, py::handle options, py::handle false_alarm, py::handle evidence,
-                   py::handle window, const py::kwargs& changes) {
+OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, py::handle false_alarm,
+                   py::handle evidence, py::handle window, const py::kwargs& changes) {
   const OptionsObject object = options_with(options, changes);
   const OutlierOptions native{.options = object.options,
+                              .suspects = read_enumerator<Suspects>(suspects, "suspects"),
                               .false_alarm = read_number(false_alarm, "false_alarm"),
                               .evidence = read_number(evidence, "evidence"),
                               .window = read_window(window)};
@@ -171,6 +173,7 @@ Verdict read_verdict(py::handle verdict) {
 }  // namespace
 
 void bind_outliers(py::module_& module) {
+  bind_enum<Suspects>(module);
   bind_enum<Verdict>(module);
   bind_struct<EdgeVerdict>(module, "EdgeVerdict", kVerdict);
   py::class_<OutlierReport> type(module, "OutlierReport",
@@ -191,13 +194,16 @@ void bind_outliers(py::module_& module) {
       .def("__repr__", &text);
 
   const OutlierOptions defaults;
-  module.def("find_outliers", &find, py::arg("graph").none(false), py::arg("options") = py::none(),
-             py::kw_only(), py::arg("false_alarm") = defaults.false_alarm,
-             py::arg("evidence") = defaults.evidence, py::arg("window") = defaults.window,
-             "find_outliers(graph, threads=2): optimizes a pose graph without its false loop closures. "
-             "boxplus/optimize/outliers.h explains the method, false_alarm, evidence and window; the other "
-             "options are those of optimize(). Other threads of Python run meanwhile. Ctrl-C "
-             "(KeyboardInterrupt) stops the search.");
+  module.def(
+      "find_outliers", &find, py::arg("graph").none(false), py::arg("options") = py::none(), py::kw_only(),
+      py::arg("suspects") = text_of(Enumerators<Suspects>::kAll[0].name),
+      py::arg("false_alarm") = defaults.false_alarm, py::arg("evidence") = defaults.evidence,
+      py::arg("window") = defaults.window,
+      "find_outliers(graph, suspects=\"all\"): optimizes a graph without its false edges. The suspects are "
+      "\"loop-closures\" or \"all\". boxplus/optimize/outliers.h explains the method, false_alarm, evidence "
+      "and window; the other "
+      "options are those of optimize(). Other threads of Python run meanwhile. Ctrl-C "
+      "(KeyboardInterrupt) stops the search.");
   module.def(
       "to_string", [](Verdict verdict) { return std::string(to_string(verdict)); }, py::arg("value"));
 }

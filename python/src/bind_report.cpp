@@ -76,6 +76,9 @@ constexpr std::tuple kReport{Member{"status", &Report::status},
                              Member{"gauge", &Report::gauge},
                              Member{"rejection", &Report::rejection},
                              Member{"records", &Report::records},
+                             Member{"verdicts", &Report::verdicts},
+                             Member{"outlier_note", &Report::outlier_note},
+                             Member{"findings", &Report::findings},
                              Member{"algorithm", &Report::algorithm},
                              Member{"linear_solver", &Report::linear_solver},
                              Member{"vertices", &Report::vertices},
@@ -104,7 +107,7 @@ void bind_report(py::module_& module) {
   bind_struct<IterationRecord>(module, "IterationRecord", kRecord);
   bind_struct<GaugeFreedom>(module, "GaugeFreedom", kFreedom);
   bind_struct<LinearStatistics>(module, "LinearStatistics", kLinear);
-  py::class_<Report> report(module, "Report",
+  py::class_<Report> report(module, "Report", py::dynamic_attr(),
                             "The report of a run. repr() is the table that the command prints.");
   bind_enum<Report::Status>(report);
   bind_enum<Report::Reason>(report);

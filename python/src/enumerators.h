@@ -175,6 +175,12 @@ struct Enumerators<Finding::Direction::Kind> {
       {"kAlong", kAlong}, {"kAbout", kAbout}, {"kScale", kScale}, {"kTangent", kTangent}};
 };
 template <>
+struct Enumerators<Suspects> {
+  static constexpr const char* kName = "Suspects";
+  static constexpr Enumerator<Suspects> kAll[] = {{"kLoopClosures", Suspects::kLoopClosures},
+                                                  {"kAll", Suspects::kAll}};
+};
+template <>
 struct Enumerators<Verdict> {
   using enum Verdict;
   static constexpr const char* kName = "Verdict";

@@ -16,6 +16,9 @@ namespace boxplus::python {
 
 namespace py = pybind11;
 
+/// Forgets the results of the error functions of Python, which may give other results than before.
+void forget_results(const Graph& graph);
+
 /// A run releases Python's lock (GIL). Other Python threads cannot touch the graph meanwhile: read() and
 /// write() throw InvalidArgument. The callback of a run may read the graph and exchange kernels.
 class GraphObject {
@@ -31,11 +34,13 @@ class GraphObject {
   const Graph& read() const { return file().graph; }
   Graph& write() {
     require(use_ == Use::kFree);
+    require_no_readers();
     return file_.graph;
   }
   /// For changes that the callback of a run may make, too: kernels.
   Graph& write_kernels() {
     require(use_ != Use::kRun);
+    require_no_readers();
     return file_.graph;
   }
   const GraphFile& file() const {
@@ -43,10 +48,26 @@ class GraphObject {
     return file_;
   }
 
+  /// While it exists, nobody may change the graph. For functions that evaluate edges, because error functions
+  /// of Python could change it.
+  class Reading {
+   public:
+    explicit Reading(const GraphObject& graph) : graph_(&graph) { ++graph.readers_; }
+    ~Reading() { --graph_->readers_; }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+   private:
+    const GraphObject* graph_;
+  };
+
   /// Begins a run, and ends it when it is destroyed. Only a thread that has the GIL may begin and end runs.
   class Run {
    public:
-    explicit Run(GraphObject& graph) : graph_(&graph), native_(&graph.write()) { graph.use_ = Use::kRun; }
+    explicit Run(GraphObject& graph) : graph_(&graph), native_(&graph.write()) {
+      graph.use_ = Use::kRun;
+      forget_results(*native_);
+    }
     ~Run() { graph_->use_ = Use::kFree; }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
@@ -67,8 +88,14 @@ class GraphObject {
           "set kernels");
   }
 
+  void require_no_readers() const {
+    if (readers_ > 0)
+      throw InvalidArgument("Graph: an error function of this graph is being called, so it must not change");
+  }
+
   GraphFile file_;
   Use use_ = Use::kFree;
+  mutable int readers_ = 0;  // only threads with the GIL change it
 };
 
 /// The vertex with that id, or the vertex of a VertexRef. Throws InvalidArgument if there is no such vertex,

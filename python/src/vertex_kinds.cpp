@@ -4,6 +4,9 @@
 #include <string>
 #include <typeinfo>
 
+#include "boxplus/autodiff/dual.h"
+#include "boxplus/autodiff/dual_eigen.h"
+#include "boxplus/graph/differentiate.h"
 #include "boxplus/types/vertex_pools.h"
 #include "graph_object.h"
 #include "values.h"
@@ -12,12 +15,24 @@ namespace boxplus::python {
 namespace {
 
 template <class T>
+void step_derivative(const double* row, double* out) {
+  constexpr int kDim = Manifold<T>::kDim;
+  using Dual = detail::Dual<double, kDim>;
+  const auto moved = detail::lift<Dual>(Value<T>::from_row(row, {}), 0, 0);
+  for (int i = 0; i < Value<T>::kSize; ++i) {
+    for (int k = 0; k < kDim; ++k) *out++ = moved.data()[i].derivative[static_cast<std::size_t>(k)];
+  }
+}
+
+template <class T>
 VertexKind kind() {
   using V = Value<T>;
+  static_assert(V::kSize <= int{kMostNumbers});
   return {
       .name = V::kName,
       .layout = V::kLayout,
       .size = V::kSize,
+      .dim = Manifold<T>::kDim,
       .pool = typeid(detail::TypedVertexPool<T>),
       .is = &V::is,
       .add = [](Graph& graph, py::handle estimate, std::optional<Id> id, bool is_parameter) -> VertexRef {
@@ -40,13 +55,39 @@ VertexKind kind() {
                     double* row) { V::to_row(graph.estimate(VertexHandle<T>{vertex}), row); },
       .set_row = [](Graph& graph, VertexRef vertex,
                     const double* row) { graph.set_estimate(VertexHandle<T>{vertex}, V::from_row(row, {})); },
+      .read =
+          [](const detail::VertexPool& pool, std::uint32_t slot, double* row) {
+            const T& x = static_cast<const detail::TypedVertexPool<T>&>(pool).value(slot);
+            if constexpr (std::is_same_v<T, SE3>) {  // quaternions from files have rounded digits
+              V::to_row(SE3(x.translation(), x.quaternion()), row);
+            } else {
+              V::to_row(x, row);
+            }
+          },
+      .step = [](const double* row, const double* delta,
+                 double* out) { V::to_row(Manifold<T>::oplus(V::from_row(row, {}), delta), out); },
+      .step_derivative = &step_derivative<T>,
+      .object_of_row = [](const double* row) { return V::to_python(V::from_row(row, {})); },
   };
 }
 
 }  // namespace
 
 std::span<const VertexKind> vertex_kinds() {
-  static const VertexKind kinds[] = {kind<SE2>(), kind<SE3>(), kind<Vector2>(), kind<Vector3>()};
+  static const VertexKind kinds[] = {kind<SE2>(),
+                                     kind<SE3>(),
+                                     kind<Vector2>(),
+                                     kind<Vector3>(),
+                                     kind<Vector<double, 1>>(),
+                                     kind<Vector<double, 4>>(),
+                                     kind<Vector<double, 5>>(),
+                                     kind<Vector<double, 6>>(),
+                                     kind<Vector<double, 7>>(),
+                                     kind<Vector<double, 8>>(),
+                                     kind<Vector<double, 9>>(),
+                                     kind<Vector<double, 10>>(),
+                                     kind<Vector<double, 11>>(),
+                                     kind<Vector<double, 12>>()};
   return kinds;
 }
 
@@ -60,7 +101,7 @@ const VertexKind& kind_of_estimate(py::handle estimate) {
   for (const VertexKind& kind : vertex_kinds()) {
     if (kind.is(estimate)) return kind;
   }
-  throw_type_error("estimate", "one of " + vertex_kind_names() + " (points are arrays of 2 or 3 numbers)",
+  throw_type_error("estimate", "one of " + vertex_kind_names() + " (vectors are arrays of 1 to 12 numbers)",
                    estimate);
 }
 

@@ -17,6 +17,7 @@ struct VertexKind {
   std::string_view name;    ///< of the Python class: "SE2"
   std::string_view layout;  ///< of a row of numbers: "x y theta"
   int size;                 ///< the numbers of a row
+  int dim;                  ///< of the tangent space
   std::type_index pool;     ///< the type of the pool of its vertices
   bool (*is)(py::handle estimate);
   VertexRef (*add)(Graph&, py::handle estimate, std::optional<Id> id, bool is_parameter);
@@ -27,7 +28,17 @@ struct VertexKind {
   void (*set_estimate)(Graph&, VertexRef, py::handle estimate);
   void (*get_row)(const Graph&, VertexRef, double* row);
   void (*set_row)(Graph&, VertexRef, const double* row);
+  /// The row of the vertex in a slot of a pool of this kind; quaternions have unit length.
+  void (*read)(const detail::VertexPool&, std::uint32_t slot, double* row);
+  /// The row of x ⊞ δ, for a row of x.
+  void (*step)(const double* row, const double* delta, double* out);
+  /// ∂ row(x ⊞ δ) / ∂δ at δ = 0: size × dim numbers, row by row.
+  void (*step_derivative)(const double* row, double* out);
+  py::object (*object_of_row)(const double* row);
 };
+
+/// The most numbers of a row.
+inline constexpr std::size_t kMostNumbers = 12;
 
 std::span<const VertexKind> vertex_kinds();
 /// "an SE2, an SE3, …"

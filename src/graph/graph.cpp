@@ -31,24 +31,24 @@ VertexRef Graph::lookup(const detail::IdMap& ids, Id id, const char* what) const
 void Graph::throw_wrong_type(VertexRef vertex, std::string_view expected) const {
   throw InvalidArgument("vertex " + std::to_string(id(vertex)) + ": expected the type " +
                         std::string(expected) + ", but it is a " +
-                        std::string(vertex_pools_[vertex.pool]->type_name()));
+                        std::string(pools_.vertices[vertex.pool]->type_name()));
 }
 
 void Graph::throw_wrong_type(EdgeRef edge, std::string_view expected) const {
   throw InvalidArgument("edge handle: expected an edge of the type " + std::string(expected) +
-                        ", but it is a " + std::string(edge_pools_[edge.pool]->type_name()));
+                        ", but it is a " + std::string(pools_.edges[edge.pool]->type_name()));
 }
 
 bool Graph::contains(VertexRef vertex) const {
-  return vertex.pool < vertex_pools_.size() && vertex.slot < vertex_pools_[vertex.pool]->slots() &&
-         vertex_pools_[vertex.pool]->alive(vertex.slot) &&
-         vertex_pools_[vertex.pool]->generation(vertex.slot) == vertex.generation;
+  return vertex.pool < pools_.vertices.size() && vertex.slot < pools_.vertices[vertex.pool]->slots() &&
+         pools_.vertices[vertex.pool]->alive(vertex.slot) &&
+         pools_.vertices[vertex.pool]->generation(vertex.slot) == vertex.generation;
 }
 
 bool Graph::contains(EdgeRef edge) const {
-  return edge.pool < edge_pools_.size() && edge.slot < edge_pools_[edge.pool]->slots() &&
-         edge_pools_[edge.pool]->alive(edge.slot) &&
-         edge_pools_[edge.pool]->generation(edge.slot) == edge.generation;
+  return edge.pool < pools_.edges.size() && edge.slot < pools_.edges[edge.pool]->slots() &&
+         pools_.edges[edge.pool]->alive(edge.slot) &&
+         pools_.edges[edge.pool]->generation(edge.slot) == edge.generation;
 }
 
 void Graph::check(VertexRef vertex) const {
@@ -77,7 +77,7 @@ void Graph::reserve_edges(EdgeRef like, std::size_t count) {
     throw InvalidArgument("reserve_edges(): expected at most " + std::to_string(kMost) + " edges, got " +
                           std::to_string(count));
   }
-  edge_pools_[like.pool]->reserve(count);
+  pools_.edges[like.pool]->reserve(count);
 }
 
 void Graph::check_distinct(std::span<const VertexRef> vertices) const {
@@ -92,7 +92,7 @@ void Graph::throw_misfit(const InvalidArgument& misfit, std::span<const VertexRe
   std::string names;
   for (const VertexRef& vertex : vertices.first(std::min(vertices.size(), kMostNames))) {
     names += names.empty() ? "" : ", ";
-    names += vertex_pools_[vertex.pool]->parameter(vertex.slot) ? "parameter " : "vertex ";
+    names += pools_.vertices[vertex.pool]->parameter(vertex.slot) ? "parameter " : "vertex ";
     names += std::to_string(id(vertex)) + " (size " + std::to_string(tangent_dim(vertex)) + ")";
   }
   if (vertices.size() > kMostNames) names += ", …";
@@ -110,8 +110,8 @@ void Graph::check_sizes_of_edges(VertexRef vertex) const {
 }
 
 void Graph::mark_parameter(VertexRef vertex) {
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kParameter, true);
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, true);
+  pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kParameter, true);
+  pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, true);
 }
 
 std::optional<VertexRef> Graph::find_vertex(Id id) const {
@@ -126,12 +126,12 @@ std::optional<VertexRef> Graph::find_parameter(Id id) const {
 
 Id Graph::id(VertexRef vertex) const {
   check(vertex);
-  return vertex_pools_[vertex.pool]->id(vertex.slot);
+  return pools_.vertices[vertex.pool]->id(vertex.slot);
 }
 
 void Graph::change_id(VertexRef vertex, Id new_id) {
   check(vertex);
-  detail::VertexPool& pool = *vertex_pools_[vertex.pool];
+  detail::VertexPool& pool = *pools_.vertices[vertex.pool];
   if (pool.id(vertex.slot) == new_id) return;
   detail::IdMap& ids = pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_;
   Id unused = 0;
@@ -145,18 +145,18 @@ void Graph::change_id(VertexRef vertex, Id new_id) {
 
 int Graph::tangent_dim(VertexRef vertex) const {
   check(vertex);
-  return vertex_pools_[vertex.pool]->tangent_dim(vertex.slot);
+  return pools_.vertices[vertex.pool]->tangent_dim(vertex.slot);
 }
 
 void Graph::set_fixed(VertexRef vertex, bool fixed) {
   if (is_fixed(vertex) == fixed) return;
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, fixed);
+  pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, fixed);
   note_rewrite();
 }
 
 bool Graph::is_fixed(VertexRef vertex) const {
   check(vertex);
-  return vertex_pools_[vertex.pool]->fixed(vertex.slot);
+  return pools_.vertices[vertex.pool]->fixed(vertex.slot);
 }
 
 void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
@@ -171,73 +171,73 @@ void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
                           std::to_string(direction));
   }
   if (std::ranges::equal(sorted, fixed_directions(vertex))) return;
-  vertex_pools_[vertex.pool]->set_fixed_directions(vertex.slot, std::move(sorted));
+  pools_.vertices[vertex.pool]->set_fixed_directions(vertex.slot, std::move(sorted));
   note_rewrite();
 }
 
 std::span<const int> Graph::fixed_directions(VertexRef vertex) const {
   check(vertex);
-  return vertex_pools_[vertex.pool]->fixed_directions(vertex.slot);
+  return pools_.vertices[vertex.pool]->fixed_directions(vertex.slot);
 }
 
 void Graph::set_eliminated(VertexRef vertex, bool eliminated) {
   if (is_eliminated(vertex) == eliminated) return;
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kEliminated, eliminated);
+  pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kEliminated, eliminated);
   note_rewrite();
 }
 
 bool Graph::is_eliminated(VertexRef vertex) const {
   check(vertex);
-  return vertex_pools_[vertex.pool]->eliminated(vertex.slot);
+  return pools_.vertices[vertex.pool]->eliminated(vertex.slot);
 }
 
 std::vector<VertexRef> Graph::vertices(EdgeRef edge) const {
   check(edge);
-  const detail::EdgePool& pool = *edge_pools_[edge.pool];
+  const detail::EdgePool& pool = *pools_.edges[edge.pool];
   std::vector<VertexRef> result;
   for (std::uint32_t slot : pool.vertex_slots(edge.slot)) {
     const std::uint32_t index = pool.vertex_pool(edge.slot, static_cast<int>(result.size()));
-    result.push_back({index, slot, vertex_pools_[index]->generation(slot)});
+    result.push_back({index, slot, pools_.vertices[index]->generation(slot)});
   }
   return result;
 }
 
 detail::InformationView Graph::information(EdgeRef edge) const {
   check(edge);
-  return edge_pools_[edge.pool]->information(edge.slot);
+  return pools_.edges[edge.pool]->information(edge.slot);
 }
 
 void Graph::set_information(EdgeRef edge, const Information& information) {
   check(edge);
-  detail::EdgePool& pool = *edge_pools_[edge.pool];
+  detail::EdgePool& pool = *pools_.edges[edge.pool];
   pool.information_.set(edge.slot, information, pool.shape(edge.slot).rows);
 }
 
 void Graph::set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel) {
   check(edge);
-  edge_pools_[edge.pool]->set_kernel(edge.slot, std::move(kernel));
+  pools_.edges[edge.pool]->set_kernel(edge.slot, std::move(kernel));
 }
 
 const RobustKernel* Graph::kernel(EdgeRef edge) const {
   check(edge);
-  return edge_pools_[edge.pool]->kernel(edge.slot);
+  return pools_.edges[edge.pool]->kernel(edge.slot);
 }
 
 void Graph::set_enabled(EdgeRef edge, bool enabled) {
   check(edge);
-  auto& flags = edge_pools_[edge.pool]->flags_[edge.slot];
+  auto& flags = pools_.edges[edge.pool]->flags_[edge.slot];
   flags = static_cast<std::uint8_t>(enabled ? flags | detail::EdgePool::kEnabled
                                             : flags & ~detail::EdgePool::kEnabled);
 }
 
 bool Graph::is_enabled(EdgeRef edge) const {
   check(edge);
-  return edge_pools_[edge.pool]->enabled(edge.slot);
+  return pools_.edges[edge.pool]->enabled(edge.slot);
 }
 
 void Graph::set_level(EdgeRef edge, int level) {
   check(edge);
-  detail::EdgePool& pool = *edge_pools_[edge.pool];
+  detail::EdgePool& pool = *pools_.edges[edge.pool];
   if (pool.level(edge.slot) == level) return;
   if (pool.levels_.empty()) pool.levels_.resize(pool.slots(), 0);
   pool.levels_[edge.slot] = level;
@@ -246,18 +246,18 @@ void Graph::set_level(EdgeRef edge, int level) {
 
 int Graph::level(EdgeRef edge) const {
   check(edge);
-  return edge_pools_[edge.pool]->level(edge.slot);
+  return pools_.edges[edge.pool]->level(edge.slot);
 }
 
 void Graph::remove(EdgeRef edge) {
   check(edge);
-  edge_pools_[edge.pool]->remove(edge.slot);
+  pools_.edges[edge.pool]->remove(edge.slot);
   note_rewrite();
 }
 
 double Graph::chi2() const {
   double sum = 0;
-  for (const auto& pool : edge_pools_) {
+  for (const auto& pool : pools_.edges) {
     for (std::uint32_t edge = 0; edge < pool->slots(); ++edge) {
       if (!pool->alive(edge) || !pool->enabled(edge)) continue;
       double e2 = 0;
@@ -270,9 +270,9 @@ double Graph::chi2() const {
 }
 
 void Graph::push() {
-  Saved saved;
-  for (const auto& pool : vertex_pools_) {
-    Saved::Part& part = saved.parts.emplace_back();
+  detail::SavedState saved;
+  for (const auto& pool : pools_.vertices) {
+    detail::SavedState::Part& part = saved.parts.emplace_back();
     for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
       if (!pool->alive(slot)) continue;
       part.slots.push_back(slot);
@@ -283,8 +283,8 @@ void Graph::push() {
 }
 
 void Graph::push(std::span<const VertexRef> vertices) {
-  Saved saved;
-  saved.parts.resize(vertex_pools_.size());
+  detail::SavedState saved;
+  saved.parts.resize(pools_.vertices.size());
   for (const VertexRef& vertex : vertices) {
     check(vertex);
     saved.parts[vertex.pool].slots.push_back(vertex.slot);
@@ -293,20 +293,20 @@ void Graph::push(std::span<const VertexRef> vertices) {
   save(std::move(saved));
 }
 
-void Graph::save(Saved saved) {
+void Graph::save(detail::SavedState saved) {
   for (std::size_t p = 0; p < saved.parts.size(); ++p)
-    vertex_pools_[p]->save(saved.parts[p].slots, saved.parts[p].estimates);
+    pools_.vertices[p]->save(saved.parts[p].slots, saved.parts[p].estimates);
   stack_.push_back(std::move(saved));
 }
 
 void Graph::pop() {
   if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, but the stack is empty");
-  Saved saved = std::move(stack_.back());
+  detail::SavedState saved = std::move(stack_.back());
   stack_.pop_back();
   bool resized = false;
   for (std::size_t p = 0; p < saved.parts.size(); ++p) {
-    detail::VertexPool& pool = *vertex_pools_[p];
-    Saved::Part& part = saved.parts[p];
+    detail::VertexPool& pool = *pools_.vertices[p];
+    detail::SavedState::Part& part = saved.parts[p];
     std::vector<int> dims(part.slots.size());
     for (std::size_t k = 0; k < part.slots.size(); ++k) {
       const bool exists =
@@ -332,7 +332,7 @@ std::size_t Graph::vertex_count() const {
 
 std::size_t Graph::edge_count() const {
   std::size_t count = 0;
-  for (const auto& pool : edge_pools_) count += pool->alive_count();
+  for (const auto& pool : pools_.edges) count += pool->alive_count();
   return count;
 }
 
@@ -347,9 +347,9 @@ std::vector<VertexRef> Graph::all_parameters() const {
 std::vector<EdgeRef> Graph::all_edges() const {
   std::vector<EdgeRef> result;
   result.reserve(edge_count());
-  for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {
-    for (std::uint32_t edge = 0; edge < edge_pools_[p]->slots(); ++edge) {
-      if (edge_pools_[p]->alive(edge)) result.push_back({p, edge, edge_pools_[p]->generation(edge)});
+  for (std::uint32_t p = 0; p < pools_.edges.size(); ++p) {
+    for (std::uint32_t edge = 0; edge < pools_.edges[p]->slots(); ++edge) {
+      if (pools_.edges[p]->alive(edge)) result.push_back({p, edge, pools_.edges[p]->generation(edge)});
     }
   }
   return result;

@@ -63,8 +63,8 @@ void Graph::index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexce
 /// Finds the edges of a vertex without an index. Takes O(edges of the graph).
 std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
   std::vector<EdgeRef> result;
-  for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {
-    const detail::EdgePool& pool = *edge_pools_[p];
+  for (std::uint32_t p = 0; p < pools_.edges.size(); ++p) {
+    const detail::EdgePool& pool = *pools_.edges[p];
     for (std::uint32_t edge = 0; edge < pool.slots(); ++edge) {
       if (!pool.alive(edge)) continue;
       const auto slots = pool.vertex_slots(edge);
@@ -81,8 +81,8 @@ std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
 void Graph::remove(VertexRef vertex) {
   check(vertex);
   const std::vector<EdgeRef> edges = incidence_ ? incidence_->take(*this, vertex) : find_edges(vertex);
-  for (const EdgeRef& edge : edges) edge_pools_[edge.pool]->remove(edge.slot);
-  detail::VertexPool& pool = *vertex_pools_[vertex.pool];
+  for (const EdgeRef& edge : edges) pools_.edges[edge.pool]->remove(edge.slot);
+  detail::VertexPool& pool = *pools_.vertices[vertex.pool];
   (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
   pool.release_slot(vertex.slot);
   note_rewrite();

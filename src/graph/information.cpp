@@ -188,6 +188,7 @@ std::string Information::complaint(int rows) const {
   for (double v : values) {
     if (!std::isfinite(v)) return "information: expected finite values, got " + std::to_string(v);
   }
+  if (may_be_indefinite_) return {};
   if (kind_ != detail::InformationKind::kFull) {
     for (double v : values) {
       if (v < 0) return not_positive("diagonal entry", v);

@@ -7,13 +7,13 @@ namespace boxplus {
 double Graph::chi2(EdgeRef edge) const {
   check(edge);
   double result = 0;
-  edge_pools_[edge.pool]->chi2(std::span(&edge.slot, 1), &result);
+  pools_.edges[edge.pool]->chi2(std::span(&edge.slot, 1), &result);
   return result;
 }
 
 std::vector<double> Graph::error(EdgeRef edge) const {
   check(edge);
-  const detail::EdgePool& pool = *edge_pools_[edge.pool];
+  const detail::EdgePool& pool = *pools_.edges[edge.pool];
   std::vector<double> result(static_cast<std::size_t>(pool.shape(edge.slot).rows));
   pool.errors(std::span(&edge.slot, 1), result.data());
   return result;
@@ -21,7 +21,7 @@ std::vector<double> Graph::error(EdgeRef edge) const {
 
 double Graph::weight(EdgeRef edge) const {
   if (!is_enabled(edge)) return 0;
-  const RobustKernel* kernel = edge_pools_[edge.pool]->kernel(edge.slot);
+  const RobustKernel* kernel = pools_.edges[edge.pool]->kernel(edge.slot);
   if (kernel == nullptr) return 1;
   const double first = (*kernel)(chi2(edge)).first;
   return first < 0 ? 0 : first;
@@ -29,7 +29,7 @@ double Graph::weight(EdgeRef edge) const {
 
 std::vector<double> Graph::stacked_jacobian(EdgeRef edge) const {
   check(edge);
-  const detail::EdgePool& pool = *edge_pools_[edge.pool];
+  const detail::EdgePool& pool = *pools_.edges[edge.pool];
   const detail::EdgeShape shape = pool.shape(edge.slot);
   std::vector<double> error(static_cast<std::size_t>(shape.rows));
   std::vector<double> jacobian(static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols));

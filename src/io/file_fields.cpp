@@ -27,6 +27,11 @@ void write_points(const Vector<double, kDynamic>& points, int dimension, FieldWr
   for (double value : points) out.number(value);
 }
 
+/// Whether a vector has a direction: its squared length is neither zero nor infinite.
+bool is_direction(const Vector3& v) {
+  return v.squaredNorm() > 1e-200 && v.squaredNorm() < 1e200;
+}
+
 }  // namespace
 
 SE2 FileFields<SE2>::read(FieldReader& in) {
@@ -126,6 +131,47 @@ void FileFields<Line2>::write(const Line2& x, FieldWriter& out) {
   out.number(as_printed(x.angle));
   out.number(x.distance);
   for (const std::int64_t end : x.ends) out.integer(end);
+}
+
+Plane3 FileFields<Plane3>::read(FieldReader& in) {
+  Plane3 x;
+  const FieldPlace place = in.place();
+  in.numbers(x.coefficients.data(), 4, "a coefficient of the plane");
+  if (!is_direction(x.normal())) in.fail(place, "expected a normal whose length is neither zero nor huge");
+  in.numbers(x.color.data(), 3, "a color (red green blue)");
+  return x;
+}
+
+void FileFields<Plane3>::write(const Plane3& x, FieldWriter& out) {
+  for (const double value : x.coefficients) out.number(value);
+  for (const double value : x.color) out.number(value);
+}
+
+Line3 FileFields<Line3>::read(FieldReader& in) {
+  Line3 x;
+  const FieldPlace moment = in.place();
+  in.numbers(x.moment.data(), 3, "a coordinate of the moment");
+  const FieldPlace direction = in.place();
+  in.numbers(x.direction.data(), 3, "a coordinate of the direction");
+  if (!is_direction(x.direction))
+    in.fail(direction, "expected a direction whose length is neither zero nor huge");
+  const Vector3 d = x.direction.normalized();
+  const double along = x.moment.dot(d), scale = x.moment.norm() + x.direction.norm();
+  if (!(std::abs(along) <= kTolerance * scale)) {
+    in.fail(moment,
+            fmt::format("expected a moment that is orthogonal to the direction, got one with a part of "
+                        "length {} along it",
+                        along));
+  }
+  if (std::abs(along) <= kRounding * scale) return x;
+  in.note("a moment was made orthogonal to the direction of its line");
+  x.moment -= along * d;
+  return x;
+}
+
+void FileFields<Line3>::write(const Line3& x, FieldWriter& out) {
+  for (const double value : x.moment) out.number(value);
+  for (const double value : x.direction) out.number(value);
 }
 
 SegmentEndObservation2 EdgeFields<SegmentEndObservation2>::read(FieldReader& in) {

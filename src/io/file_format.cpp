@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "boxplus/base/error.h"
+#include "io/gzip.h"
 
 namespace boxplus {
 
@@ -38,6 +39,7 @@ const FileFormat* FileFormats::find(std::string_view name) const {
 }
 
 const FileFormat* FileFormats::of_path(std::string_view path) const {
+  if (is_gzip_name(path)) path = path.substr(0, path.rfind('.'));
   const auto found = std::find_if(formats_.begin(), formats_.end(), [&](const FileFormat& format) {
     return !format.is_folder() && path.ends_with(format.extension);
   });

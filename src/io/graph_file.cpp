@@ -8,6 +8,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
 #include "boxplus/io/write_file.h"
+#include "io/gzip.h"
 #include "io/text_file.h"
 
 namespace boxplus {
@@ -103,7 +104,12 @@ void write(const std::string& path, const GraphFileView& file, std::string_view 
            const WriteOptions& options) {
   const FileFormat& format = format_to_write(path, read_as, options);
   if (format.is_folder()) return with_path(path, [&] { format.folder.write(file, path); });
-  replace_file(path, [&](TextSink sink) { format.write(file, options, sink); });
+  replace_file(path, [&](TextSink sink) {
+    if (!is_gzip_name(path)) return format.write(file, options, sink);
+    GzipPacker packer(sink);
+    format.write(file, options, [&](std::string_view text) { packer.write(text); });
+    packer.finish();
+  });
 }
 
 GraphFileView view_of(const GraphFile& file) {
@@ -148,6 +154,11 @@ void require_writable(const std::string& path, const GraphFile& file, const Writ
   }
   if (format.name != file.format) format.write(view_of(file), options, [](std::string_view) {});
   require_writable(path);
+}
+
+std::vector<std::string> losses(const std::string& path, const GraphFile& file, const WriteOptions& options) {
+  const FileFormat& format = format_to_write(path, file.format, options);
+  return format.losses ? format.losses(view_of(file)) : std::vector<std::string>();
 }
 
 std::string format_graph(const GraphFile& file, const WriteOptions& options) {

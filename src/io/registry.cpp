@@ -138,6 +138,7 @@ const Registry& default_registry() {
     Registry all;
     register_slam2d(all);
     register_slam3d(all);
+    register_ba(all);
     register_toro(all);
     return all;
   }();

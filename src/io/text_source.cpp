@@ -2,9 +2,12 @@
 #include "boxplus/io/text_source.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "io/gzip.h"
 #include "io/text_file.h"
+#include "io/unpacked_text.h"
 
 namespace boxplus {
 namespace {
@@ -14,18 +17,34 @@ constexpr std::size_t kFirstExtension = 4096;
 }  // namespace
 
 TextSource::TextSource(std::string_view text, std::string name, std::size_t block_size)
-    : size_(text.size()), block_size_(block_size), text_(text), name_(std::move(name)) {}
+    : size_(text.size()), block_size_(block_size), text_(text), name_(std::move(name)) {
+  if (!begins_as_gzip(text)) return;
+  UnpackedText unpacked = unpack(text, name_);
+  size_ = unpacked.size;
+  text_ = {};
+  owned_ = std::move(unpacked.text);
+  if (unpacked.file.is_open()) file_ = std::make_shared<const FileDescriptor>(std::move(unpacked.file));
+}
 
 TextSource TextSource::of_file(const std::string& path, std::size_t block_size) {
   TextSource source({}, path, block_size);
   FileDescriptor file = open_for_reading(path);
-  if (const auto size = file.regular_size()) {
+  const std::optional<std::size_t> size = file.regular_size();
+  if (size && begins_as_gzip(file, path)) {
+    UnpackedText unpacked = unpack(file, path);
+    source.size_ = unpacked.size;
+    source.owned_ = std::move(unpacked.text);
+    file = std::move(unpacked.file);
+  } else if (size) {
     source.size_ = *size;
-    source.file_ = std::make_shared<const FileDescriptor>(std::move(file));
   } else {
-    source.owned_ = read_all(file, path);
-    source.size_ = source.owned_.size();
+    std::string text = read_all(file, path);
+    if (begins_as_gzip(text)) return {text, path, block_size};
+    source.size_ = text.size();
+    source.owned_ = std::move(text);
+    file = FileDescriptor();
   }
+  if (file.is_open()) source.file_ = std::make_shared<const FileDescriptor>(std::move(file));
   return source;
 }
 
@@ -50,7 +69,6 @@ std::string_view TextSource::block(std::size_t k, std::string& memory) const {
   return part.substr(first, newline == std::string_view::npos ? newline : newline + 1 - first);
 }
 
-/// The `count` bytes from `begin` on; fewer at the end of the text.
 std::string_view TextSource::bytes(std::size_t begin, std::size_t count, std::string& memory) const {
   if (!file_) return (owned_.empty() ? text_ : std::string_view(owned_)).substr(begin, count);
   if (memory.size() < count) memory.resize(count);

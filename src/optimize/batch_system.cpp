@@ -11,6 +11,7 @@
 #include "boxplus/base/error.h"
 #include "linearize/extend_plan.h"
 #include "linearize/stiff_edge.h"
+#include "optimize/forcing_term.h"
 #include "optimize/stopwatch.h"
 #include "optimize/vector_math.h"
 
@@ -84,7 +85,7 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
 
 void BatchSystem::configure(const Options& options, Report::Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
-  control_ = {.relative_tolerance = options.linear_tolerance, .stop = stop};
+  control_ = {.relative_tolerance = forcing_term(options, *plan_), .stop = stop};
   order_.forget();
   learned_.clear();
   last_chi2_ = 0;

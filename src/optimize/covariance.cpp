@@ -2,72 +2,69 @@
 #include "boxplus/optimize/covariance.h"
 
 #include <algorithm>
-#include <memory>
+#include <string>
 #include <utility>
 
-#include "boxplus/linearize/linearizer.h"
 #include "linear/inverse_blocks.h"
 #include "linearize/fixed_directions.h"
-#include "optimize/planned_system.h"
+#include "optimize/covariance_references.h"
+#include "optimize/covariance_system.h"
 
 namespace boxplus {
 
 class CovarianceMaker {
  public:
-  static Covariance make(const Graph& graph, const Options& options, std::span<const VertexRef> vertices,
-                         bool joint) {
+  static ReferencedCovariance make(CovarianceSystem& system, const Graph& graph, const Options& options,
+                                   const BatchSystem* planned, std::span<const VertexRef> vertices,
+                                   bool joint) {
+    for (const VertexRef& vertex : vertices) (void)graph.tangent_dim(vertex);  // throws if it is stale
     try {
-      return CovarianceMaker(graph, options, joint).make(vertices);
+      system.plan(graph, options, planned);
+      return CovarianceMaker(system, graph, options, joint).make(vertices);
     } catch (const Stopped&) {
+      system.forget();
       Covariance stopped;
       stopped.status_ = Covariance::Status::kStopped;
       stopped.message_ = "there is no covariance: the computation was stopped";
-      return stopped;
+      return {std::move(stopped)};
+    } catch (...) {
+      system.forget();
+      throw;
     }
   }
 
  private:
-  CovarianceMaker(const Graph& graph, const Options& options, bool joint)
-      : graph_(graph),
-        options_(options),
-        stop_(options.stop),
-        plan_(make_plan(graph, {.level = options.level,
-                                .vertices = options.vertices,
-                                .edges = options.edges,
-                                .gauge = options.gauge,
-                                .threads = resolved_threads(options),
-                                .stop = stop_})),
-        linearizer_(graph, plan_) {
+  CovarianceMaker(CovarianceSystem& system, const Graph& graph, const Options& options, bool joint)
+      : system_(system), graph_(graph), options_(options), stop_(options.stop) {
     result_.is_joint_ = joint;
-    linearizer_.set_stop(stop_);
   }
 
-  Covariance make(std::span<const VertexRef> vertices) {
+  ReferencedCovariance make(std::span<const VertexRef> vertices) {
+    system_.factorize();
     list(vertices);
     refuse_freedoms();
-    if (!result_.ok() || plan_.structure.blocks() == 0) return std::move(result_);
-    factorize();
+    const auto& failure = system_.failure();
+    if (result_.ok() && failure) fail(failure->status, failure->vertex, failure->why);
     if (result_.ok()) invert();
-    return std::move(result_);
+    std::vector<VertexRef> references = this->references();
+    return {std::move(result_), std::move(references)};
   }
 
-  static constexpr std::uint32_t kNoBlock = 0xFFFFFFFFu;
+  const Plan& plan() const { return system_.plan(); }
 
   /// Finds the block of each vertex in H. Vertices that do not move have no block.
   void list(std::span<const VertexRef> vertices) {
-    std::map<VertexRef, std::uint32_t> block_of;
-    for (std::uint32_t block = 0; block < plan_.structure.blocks(); ++block)
-      block_of.emplace(plan_.block_vertex[block], block);
-    for (const GaugeVertex& gauge : plan_.held) result_.held_.push_back(gauge.vertex);
+    for (const GaugeVertex& gauge : plan().held) result_.held_.push_back(gauge.vertex);
+    result_.held_.insert(result_.held_.end(), system_.held().begin(), system_.held().end());
     for (const VertexRef& vertex : vertices) {
       const int dim = graph_.tangent_dim(vertex);
       result_.vertices_.push_back(vertex);
-      if (!result_.places_.try_emplace(vertex, Covariance::Place{blocks_.size(), dim}).second) continue;
-      const auto found = block_of.find(vertex);
-      blocks_.push_back(found == block_of.end() ? kNoBlock : found->second);
-      if (found == block_of.end() && dim > 0 && moves(vertex)) {
+      const Covariance::Place place{blocks_.size(), dim};
+      result_.places_.try_emplace(result_.places_.end(), vertex, place);  // most lists ascend
+      if (result_.places_.size() == blocks_.size()) continue;
+      blocks_.push_back(system_.block_of(vertex));
+      if (blocks_.back() == CovarianceSystem::kNoBlock && dim > 0 && moves(vertex))
         fail(Covariance::Status::kSingular, vertex, "no active edge touches it");
-      }
     }
     if (!blocks_.empty())
       result_.blocks_.resize(result_.block_index(blocks_.size() - 1, blocks_.size() - 1) + 1);
@@ -75,7 +72,7 @@ class CovarianceMaker {
 
   /// Fails if a component has a free motion that no edge measures and that no held vertex removes.
   void refuse_freedoms() {
-    for (const detail::GaugeFreedom& freedom : plan_.freedoms) {
+    for (const detail::GaugeFreedom& freedom : plan().freedoms) {
       if (result_.ok() && !is_gauge(freedom))
         fail(Covariance::Status::kSingular, freedom.vertex,
              "nothing measures the " + std::string(to_string(freedom)) + " of its part of the graph");
@@ -85,11 +82,10 @@ class CovarianceMaker {
   bool is_gauge(const detail::GaugeFreedom& freedom) const {
     if (options_.gauge != GaugePolicy::kFixFirst) return false;
     const auto is_it = [&](const GaugeVertex& gauge) { return gauge.vertex == freedom.vertex; };
-    if (std::any_of(plan_.held.begin(), plan_.held.end(), is_it)) return true;
+    if (std::any_of(plan().held.begin(), plan().held.end(), is_it)) return true;
     detail::Frame frame;
     graph_.vertex_pools()[freedom.vertex.pool]->get_frame(freedom.vertex.slot, frame);
-    const int rigid_motions = frame.dimension == 2 ? 3 : 6;
-    return freedom.translation && freedom.rotation && freedom.directions >= rigid_motions;
+    return freedom.translation && freedom.rotation && freedom.directions >= rigid_motions(frame);
   }
 
   bool moves(VertexRef vertex) const {
@@ -111,57 +107,24 @@ class CovarianceMaker {
                         ") is not determined: " + std::string(why);
   }
 
-  void factorize() {
-    linearizer_.linearize({options_.numeric_jacobians, options_.triggs_correction});
-    stop_.check();
-    solver_ = make_linear_solver(LinearSolverKind::kBlockCholesky);
-    solver_->analyze(
-        plan_.structure,
-        {.threads = resolved_threads(options_), .last = plan_.loose_blocks, .may_be_singular = true}, stop_);
-    const AssembledSystem system(plan_.structure, linearizer_.values());
-    stiffness_.assign(plan_.scalars(), 0.0);
-    for (const std::uint32_t scalar : plan_.held_scalars) {
-      const auto next =
-          std::upper_bound(plan_.structure.offset.begin(), plan_.structure.offset.end(), scalar);
-      hold(static_cast<std::uint32_t>(next - plan_.structure.offset.begin() - 1), scalar);
+  /// As ReferencedCovariance::references. Holding one direction of a vertex determines only a scale.
+  std::vector<VertexRef> references() const {
+    std::vector<VertexRef> found = result_.held_;
+    for (std::uint32_t block = 0; block < plan().structure.blocks(); ++block) {
+      if (system_.held_directions(block) == 0) continue;
+      const VertexRef vertex = plan().block_vertex[block];
+      detail::Frame frame;
+      if (!graph_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
+      if (system_.held_directions(block) >= rigid_motions(frame) &&
+          std::find(found.begin(), found.end(), vertex) == found.end())
+        found.push_back(vertex);
     }
-    const SolveControl control{.stop = stop_};
-    FactorResult factor = solver_->factorize(system, {1.0, stiffness_.data()}, control);
-    while (factor.status == LinearStatus::kNotPositiveDefinite && hold(factor))
-      factor = solver_->factorize(system, {1.0, stiffness_.data()}, control);
-    stop_.check();
-    if (factor.status == LinearStatus::kOk) return;
-    const VertexRef vertex = plan_.block_vertex[factor.failed_block];
-    if (factor.status == LinearStatus::kNotFinite) {
-      fail(Covariance::Status::kNotFinite, vertex, "an error, a Jacobian or a weight is NaN or infinite");
-    } else {
-      fail(Covariance::Status::kSingular, vertex, "the edges leave it free to move in some direction");
-    }
+    std::sort(found.begin(), found.end(),
+              [this](const VertexRef& a, const VertexRef& b) { return graph_.id(a) < graph_.id(b); });
+    return found;
   }
 
-  /// If the block of a vanished pivot is one of Plan::loose_blocks, holds the direction of the pivot, because
-  /// it is gauge freedom. Otherwise, returns false.
-  bool hold(const FactorResult& factor) {
-    const auto& loose = plan_.loose_blocks;
-    const bool is_loose = std::find(loose.begin(), loose.end(), factor.failed_block) != loose.end();
-    if (options_.gauge != GaugePolicy::kFixFirst || !is_loose || stiffness_[factor.failed_scalar] > 0)
-      return false;
-    hold(factor.failed_block, factor.failed_scalar);
-    return true;
-  }
-
-  void hold(std::uint32_t block, std::uint32_t scalar) {
-    // To hold a direction, adds this multiple of the diagonal entry of H to the entry. The variance of the
-    // direction is then smaller than any rounding error.
-    constexpr double kStiff = 1e30;
-    const std::uint32_t dim = plan_.structure.dim(block), i = scalar - plan_.structure.offset[block];
-    const double* diagonal =
-        linearizer_.values().data() + plan_.structure.value_start[plan_.structure.column_start[block]];
-    stiffness_[scalar] = kStiff * std::max(diagonal[i * (dim + 1)], 1e-300);
-    const auto own = std::span(stiffness_).subspan(plan_.structure.offset[block], dim);
-    if (std::all_of(own.begin(), own.end(), [](double s) { return s > 0; }))
-      result_.held_.push_back(plan_.block_vertex[block]);
-  }
+  static int rigid_motions(const detail::Frame& frame) { return frame.dimension == 2 ? 3 : 6; }
 
   void invert() {
     struct Target {
@@ -171,16 +134,16 @@ class CovarianceMaker {
     std::vector<Target> targets;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       for (std::size_t j = result_.is_joint_ ? 0 : i; j <= i; ++j) {
-        if (blocks_[i] == kNoBlock || blocks_[j] == kNoBlock) continue;
+        if (blocks_[i] == CovarianceSystem::kNoBlock || blocks_[j] == CovarianceSystem::kNoBlock) continue;
         wanted.push_back({blocks_[i], blocks_[j]});
         targets.push_back({i, j});
       }
     }
     if (wanted.empty()) return;
-    InverseBlocks inverse(plan_.structure, wanted);
-    if (!inverse.compute(*solver_, stop_)) {
+    InverseBlocks inverse(plan().structure, wanted);
+    if (!inverse.compute(system_.solver(), stop_)) {
       stop_.check();
-      fail(Covariance::Status::kNotFinite, plan_.block_vertex[std::max(wanted[0].row, wanted[0].column)],
+      fail(Covariance::Status::kNotFinite, plan().block_vertex[std::max(wanted[0].row, wanted[0].column)],
            "the inverse of H overflows");
       return;
     }
@@ -208,31 +171,39 @@ class CovarianceMaker {
   }
 
   bool is_held(std::uint32_t block, Eigen::Index direction) const {
-    return stiffness_[plan_.structure.offset[block] + static_cast<std::uint32_t>(direction)] > 0;
+    return system_.is_held(plan().structure.offset[block] + static_cast<std::uint32_t>(direction));
   }
 
   /// Calls f for the fixed directions of the vertex of a block.
   template <class F>
   void for_each_fixed(std::uint32_t block, F&& f) const {
-    const VertexRef& vertex = plan_.block_vertex[block];
+    const VertexRef& vertex = plan().block_vertex[block];
     for (const int direction : graph_.fixed_directions(vertex)) {
-      if (static_cast<std::uint32_t>(direction) < plan_.structure.dim(block)) f(direction);
+      if (static_cast<std::uint32_t>(direction) < plan().structure.dim(block)) f(direction);
     }
   }
 
+  CovarianceSystem& system_;
   const Graph& graph_;
   const Options& options_;
   StopToken stop_;
-  Plan plan_;
-  Linearizer linearizer_;
-  std::shared_ptr<LinearSolver> solver_;
-  std::vector<double> stiffness_;      // added to the diagonal of H, to hold directions
-  std::vector<std::uint32_t> blocks_;  // the block in H of each vertex, or kNoBlock
+  std::vector<std::uint32_t> blocks_;  // the block in H of each vertex, or CovarianceSystem::kNoBlock
   Covariance result_;
 };
 
+namespace {
+
+ReferencedCovariance compute_once(const Graph& graph, std::span<const VertexRef> vertices,
+                                  const Options& options, bool joint) {
+  CovarianceSystem system;
+  system.use_once();
+  return CovarianceMaker::make(system, graph, options, nullptr, vertices, joint);
+}
+
+}  // namespace
+
 Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options) {
-  return CovarianceMaker::make(graph, options, vertices, true);
+  return compute_once(graph, vertices, options, true).covariance;
 }
 
 Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices, const Options& options) {
@@ -241,7 +212,18 @@ Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> verti
 
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options) {
-  return CovarianceMaker::make(graph, options, vertices, false);
+  return compute_once(graph, vertices, options, false).covariance;
+}
+
+ReferencedCovariance referenced_covariances(const Graph& graph, std::span<const VertexRef> vertices,
+                                            const Options& options) {
+  return compute_once(graph, vertices, options, false);
+}
+
+ReferencedCovariance covariance_of_system(CovarianceSystem& system, const Graph& graph,
+                                          const Options& options, const BatchSystem* planned,
+                                          std::span<const VertexRef> vertices, bool joint) {
+  return CovarianceMaker::make(system, graph, options, planned, vertices, joint);
 }
 
 const Covariance::Place& Covariance::place(VertexRef vertex) const {

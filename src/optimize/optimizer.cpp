@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "boxplus/optimize/algorithm_table.h"
+#include "boxplus/optimize/diagnose.h"
+#include "boxplus/optimize/outliers.h"
 #include "linearize/stiff_edge.h"
+#include "optimize/covariance_system.h"
 #include "optimize/fill_report.h"
 #include "optimize/finish_stiff.h"
 #include "optimize/planned_system.h"
@@ -31,17 +34,24 @@ void check(const Options& options) {
   require_enumerator(options.gauge, GaugePolicy::kError, "GaugePolicy");
   require_enumerator(options.schur, SchurMode::kImplicit, "SchurMode");
   require_enumerator(options.damping, Options::DampingScale::kDiagonal, "DampingScale");
+  if (options.outliers) require_enumerator(*options.outliers, Suspects::kAll, "Suspects");
   require(options.max_iterations >= 0, "max_iterations ≥ 0");
   require(options.threads >= 0, "threads ≥ 0");
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
   require(options.noise_tolerance >= 0, "noise_tolerance ≥ 0");
   require(options.step_tolerance >= 0, "step_tolerance ≥ 0");
   require(options.gradient_tolerance >= 0, "gradient_tolerance ≥ 0");
-  require(options.linear_tolerance > 0 && options.linear_tolerance < 1, "0 < linear_tolerance < 1");
+  require(options.linear_tolerance >= 0 && options.linear_tolerance < 1, "0 ≤ linear_tolerance < 1");
   require(options.initial_lambda >= 0 && std::isfinite(options.initial_lambda),
           "a finite initial_lambda ≥ 0");
   require(options.initial_radius >= 0, "initial_radius ≥ 0");
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
+}
+
+bool needs_diagnosis(const Report& report) {
+  using enum Report::Reason;
+  return report.status == Report::Status::kFailed || report.reason == kNoStepFound ||
+         report.reason == kRaisedChi2 || report.reason == kRejectedEdges || report.reason == kWeightSpan;
 }
 
 /// Throws if the optimizer has no `impl`, because it was moved from.
@@ -75,19 +85,23 @@ struct Optimizer::Impl {
   Impl(Graph& observed, Options initial)
       : graph(&observed), life(observed.life()), options(std::move(initial)) {}
 
+  /// The run of find_outliers() (Options::outliers).
+  void run_without_outliers(Report& report);
   /// Runs `custom` or, if it is null, the algorithm that the options name.
   void run(Algorithm* custom, Report& report);
   RunResult plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
                               const Stopwatch& clock);
   RunResult minimize(Algorithm& algorithm, Report& report, const StopToken& stop, const Stopwatch& clock);
   Algorithm& chosen_algorithm();
+  Covariance covariance(std::span<const VertexRef> vertices, bool joint);
   Graph& checked_graph() const;
 
   Graph* graph;
   std::shared_ptr<detail::LifeState> life;  // tells whether `graph` still exists
   Options options;
   PlannedSystem planned;
-  Estimates memory;  // scratch memory of minimize_from_starts() and finish_stiff()
+  CovarianceSystem covariances;  // may use the plan of `planned`
+  Estimates memory;              // scratch memory of minimize_from_starts() and finish_stiff()
   std::map<AlgorithmKind, std::unique_ptr<Algorithm>> algorithms;
 };
 
@@ -109,10 +123,24 @@ Algorithm& Optimizer::Impl::chosen_algorithm() {
   return *algorithm;
 }
 
+void Optimizer::Impl::run_without_outliers(Report& report) {
+  const Stopwatch clock;
+  OutlierReport found = find_outliers(*graph, {.options = options, .suspects = *options.outliers});
+  report = std::move(found.report);
+  report.verdicts = std::move(found.verdicts);
+  report.outlier_note = std::move(found.note);
+  report.time.total_s = clock.seconds();
+}
+
 void Optimizer::Impl::run(Algorithm* custom, Report& report) {
   const Stopwatch clock;
   checked_graph();
   check(options);
+  if (options.outliers) {
+    if (custom != nullptr)
+      throw InvalidArgument("Options::outliers: expected no custom algorithm, because many runs are made");
+    return run_without_outliers(report);
+  }
   const InUse in_use(life);
   begin_report(report, options);
   const StopToken stop(options.stop, clock.start(), options.time_limit_s);
@@ -122,6 +150,11 @@ void Optimizer::Impl::run(Algorithm* custom, Report& report) {
   } catch (const Stopped& stopped) {
     finish_report_without_plan(report, stopped);
   }
+  if (needs_diagnosis(report)) {
+    Options rest = options;
+    rest.time_limit_s -= clock.seconds();
+    report.findings = diagnose(*graph, rest).findings;
+  }
   report.time.total_s = clock.seconds();
 }
 
@@ -129,6 +162,7 @@ RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, 
                                              const Stopwatch& clock) {
   {
     const TimeAdder adder(report.time.plan_s);
+    if (!planned.is_current(*graph, options)) covariances.forget();
     const PlannedSystem::Origin origin = planned.update(*graph, options, stop);
     report.plan_reused = origin == PlannedSystem::Origin::kReused;
     report.plan_extended = origin == PlannedSystem::Origin::kExtended;
@@ -161,6 +195,12 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
   report.precise_steps = system.precise_steps();
   report.displaced_directions = descent.displaced_directions();
   return result;
+}
+
+Covariance Optimizer::Impl::covariance(std::span<const VertexRef> vertices, bool joint) {
+  checked_graph();
+  const BatchSystem* current = planned.is_current(*graph, options) ? &planned.system() : nullptr;
+  return covariance_of_system(covariances, *graph, options, current, vertices, joint).covariance;
 }
 
 Optimizer::Optimizer(Graph& graph, Options options)
@@ -198,7 +238,11 @@ Report Optimizer::run(Algorithm& algorithm) {
 }
 
 Covariance Optimizer::covariance(std::span<const VertexRef> vertices) const {
-  return boxplus::covariance(checked(impl_).checked_graph(), vertices, checked(impl_).options);
+  return checked(impl_).covariance(vertices, true);
+}
+
+Covariance Optimizer::marginal_covariances(std::span<const VertexRef> vertices) const {
+  return checked(impl_).covariance(vertices, false);
 }
 
 Report optimize(Graph& graph, const Options& options) {

@@ -27,10 +27,9 @@ int resolved_threads(const Options& options) {
 }
 
 PlannedSystem::Origin PlannedSystem::update(Graph& graph, const Options& options, const StopToken& stop) {
-  const bool suitable = system_ != nullptr && suits(options);
-  if (suitable && revision_ == graph.revision()) return Origin::kReused;
+  if (is_current(graph, options)) return Origin::kReused;
   stop.check();
-  if (suitable && extend(graph, stop)) return Origin::kExtended;
+  if (system_ != nullptr && suits(options) && extend(graph, stop)) return Origin::kExtended;
   make(graph, options, stop);
   return Origin::kMade;
 }

@@ -17,8 +17,14 @@ class PlannedSystem {
   /// call then makes a new plan.
   Origin update(Graph& graph, const Options& options, const StopToken& stop);
 
+  /// Whether update() would reuse the plan.
+  bool is_current(const Graph& graph, const Options& options) const {
+    return system_ != nullptr && suits(options) && revision_ == graph.revision();
+  }
+
   /// Valid after update().
   BatchSystem& system() { return *system_; }
+  const BatchSystem& system() const { return *system_; }
 
  private:
   bool suits(const Options& options) const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -159,11 +160,34 @@ void add_kernels(Text& text, const Report& report) {
       report.robust_edges == 1 ? " has" : "s have");
 }
 
+void add_verdicts(Text& text, const Report& report) {
+  if (report.verdicts.empty()) return;
+  const auto count = [&](detail::Verdict verdict) {
+    return std::ranges::count(report.verdicts, verdict, &detail::EdgeVerdict::verdict);
+  };
+  add(text, "  {:<16}{} of {} suspects are false, {} undecided\n", "outliers",
+      count(detail::Verdict::kOutlier), report.verdicts.size(), count(detail::Verdict::kUndecided));
+}
+
+void add_findings(Text& text, const Report& report) {
+  constexpr std::size_t kShown = 5;
+  for (std::size_t k = 0; k < std::min(report.findings.size(), kShown); ++k) {
+    const detail::Finding& finding = report.findings[k];
+    add(text, "  {:<16}{} [{}]\n", to_string(finding.severity), finding.text, to_string(finding.kind));
+  }
+  if (report.findings.size() > kShown)
+    add(text, "  {:<16}({} more; `diagnose()` and `boxplus info --diagnose` list them)\n", "…",
+        report.findings.size() - kShown);
+}
+
 void add_notes(Text& text, const Report& report) {
+  add_findings(text, report);
+  add_verdicts(text, report);
   add_kernels(text, report);
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
-  for (const std::string_view remark : {report.start_remark(), report.chi2_remark()}) {
+  for (const std::string_view remark :
+       {report.start_remark(), report.chi2_remark(), std::string_view(report.outlier_note)}) {
     if (!remark.empty()) add(text, "  {:<16}{}\n", "note", remark);
   }
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);

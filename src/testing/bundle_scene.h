@@ -20,6 +20,8 @@ struct SurfacePoint {
   double max_distance;    ///< from a camera to the point
   Vector2 search_center;  ///< all these cameras are within search_radius of this place, seen from above
   double search_radius;
+  /// The probability that such a camera recognizes the point, in addition to BundleScene::chance().
+  double chance = 1;
 };
 
 class BundleScene {
@@ -59,5 +61,6 @@ double log_uniform(double low, double high, RandomNumbers& random);
 
 std::unique_ptr<BundleScene> make_ring_scene();
 std::unique_ptr<BundleScene> make_town_scene(bool returns);
+std::unique_ptr<BundleScene> make_collection_scene();
 
 }  // namespace boxplus

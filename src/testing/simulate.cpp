@@ -21,8 +21,12 @@ std::string_view to_string(World world) {
       return "manhattan";
     case World::kStreets:
       return "streets";
-    default:
+    case World::kCity:
       return "city";
+    case World::kPlanes:
+      return "planes";
+    default:
+      return "lines";
   }
 }
 
@@ -47,8 +51,12 @@ Simulation simulate(World world, const SimulationOptions& options) {
       return simulate_manhattan(options);
     case World::kStreets:
       return simulate_streets(options);
-    default:
+    case World::kCity:
       return simulate_city(options);
+    case World::kPlanes:
+      return simulate_planes(options);
+    default:
+      return simulate_lines(options);
   }
 }
 

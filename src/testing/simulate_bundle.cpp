@@ -41,6 +41,7 @@ void check(const BundleOptions& options) {
 
 std::unique_ptr<BundleScene> make_scene(BundleShape shape) {
   if (shape == BundleShape::kRing) return make_ring_scene();
+  if (shape == BundleShape::kCollection) return make_collection_scene();
   return make_town_scene(shape == BundleShape::kCity);
 }
 
@@ -176,8 +177,10 @@ std::string_view to_string(BundleShape shape) {
       return "ring";
     case BundleShape::kStreet:
       return "street";
-    default:
+    case BundleShape::kCity:
       return "city";
+    default:
+      return "collection";
   }
 }
 

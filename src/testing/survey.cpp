@@ -59,7 +59,7 @@ bool Survey::try_to_find(int finder, RandomNumbers& random, Track& track) const 
   if (!pixel) return false;
   track.point = point->position;
   track.observations = {{finder, *pixel}};
-  RandomSelection selection(scene_.chance(), random);
+  RandomSelection selection(scene_.chance() * point->chance, random);
   cells_.around(point->search_center, point->search_radius, [&](int camera) {
     if (camera == finder || !selection.takes_next()) return;
     if (const auto seen = pixel_of(camera, *point)) track.observations.push_back({camera, *seen});

@@ -12,5 +12,7 @@ Simulation simulate_grid(const SimulationOptions& options);
 Simulation simulate_manhattan(const SimulationOptions& options);
 Simulation simulate_streets(const SimulationOptions& options);
 Simulation simulate_city(const SimulationOptions& options);
+Simulation simulate_planes(const SimulationOptions& options);
+Simulation simulate_lines(const SimulationOptions& options);
 
 }  // namespace boxplus

@@ -5,6 +5,7 @@
 tests/io/g2o/graph_reader_malformed_lines_test.cpp tests the messages about bad lines.
 """
 
+import json
 import os
 import resource
 import signal
@@ -55,6 +56,38 @@ class BadInputTest(CommandCase):
 
     def test_messages_about_bad_lines_name_the_line_and_the_column(self):
         self.assert_bad(self.written("bad.g2o", GRAPH + BAD_LINE), "bad.g2o:4:16: expected y (a finite number), got 'zero'")
+
+    def test_indefinite_information_is_refused_or_projected(self):
+        path = self.written("indefinite.g2o", GRAPH + "EDGE_SE2 0 1 1 0 0 1 2 0 1 0 1\n")
+        for words in (["optimize", path, "-o", self.output], ["convert", path, self.output]):
+            self.assert_refused(run(*words), "indefinite.g2o:4:20: information", "--information project")
+            self.assert_untouched()
+        done = run("convert", path, "-", "--information", "project")
+        self.assertIn("EDGE_SE2 0 1 1 0 0 1.5 1.5 0 1.5 0 1", [
+            " ".join(f"{float(field):.12g}" if field[0].isdigit() else field for field in line.split())
+            for line in done.stdout.splitlines()])
+        self.assertIn("1 of 2 edges with an indefinite information matrix", done.stderr)
+        done = run("optimize", path, "-o", self.path / "out.g2o", "--information", "project", "--json", "-")
+        self.assertEqual(json.loads(done.stdout)["indefinite_edges"], 1)
+        self.assertIn("indefinite    1 of 2 information matrices", run("info", path).stdout)
+        self.assertEqual(json.loads(run("info", path, "--json", "-").stdout)["indefinite_edges"], 1)
+
+    def test_indefinite_information_is_used_as_given_if_wanted(self):
+        path = self.written("indefinite.g2o", GRAPH + "EDGE_SE2 0 1 1 0 0 1 2 0 1 0 1\n")
+        done = run("convert", path, "-", "--information", "as-given")
+        self.assertIn("EDGE_SE2 0 1 1 0 0 1 2 0 1 0 1", [
+            " ".join(f"{float(field):.12g}" if field[0].isdigit() else field for field in line.split())
+            for line in done.stdout.splitlines()])
+        self.assertIn("1 of 2 edges with an indefinite information matrix: it was kept as given", done.stderr)
+        self.assertIn("chi2 is computed with them", run("info", path, "--information", "as-given").stdout)
+        done = run("optimize", path, "-o", self.path / "out.g2o", "--information", "as-given", "--json", "-")
+        self.assertEqual(json.loads(done.stdout)["indefinite_edges"], 1)
+
+    def test_a_run_is_not_converged_if_an_indefinite_information_leaves_no_minimum(self):
+        path = self.written("unbounded.g2o", "VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1.1 0 0 -1 0 0 1 0 1\n")
+        done = run("optimize", path, "--information", "as-given", "--algorithm", "levenberg-marquardt")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertNotIn("converged:", done.stdout.replace("not converged:", ""))
 
     def test_lenient_reading_skips_and_counts_bad_lines(self):
         path = self.written("bad.g2o", BAD_LINE + GRAPH + BAD_LINE)
@@ -115,6 +148,23 @@ class BadInputTest(CommandCase):
                     time.sleep(0.05)
                 self.assertEqual(process.returncode, -each)
                 self.assert_untouched()
+
+    def test_a_killed_process_leaves_the_old_file_or_the_new_one(self):
+        graph, out = self.path / "graph.g2o", self.path / "killed.g2o"
+        run("simulate", "manhattan", "--poses", 20000, "-o", graph)
+        begin = time.monotonic()
+        run("convert", graph, out)
+        duration = time.monotonic() - begin
+        old, new = b"precious\n", out.read_bytes()
+        killed = 0
+        for k in range(40):
+            out.write_bytes(old)
+            with subprocess.Popen([BOXPLUS, "convert", graph, out], stdout=subprocess.DEVNULL) as process:
+                time.sleep(1.2 * duration * k / 40)
+                process.kill()
+            killed += process.returncode == -signal.SIGKILL
+            self.assertTrue(out.read_bytes() in (old, new), f"a part of the new file is there after {k / 40:.0%} of the time")
+        self.assertGreater(killed, 3)
 
     def test_if_the_disk_is_full_the_old_file_is_kept(self):
         # A limit on the size of files acts like a full disk, because the graph exceeds the limit.

@@ -61,6 +61,30 @@ class ColmapTest(CommandCase):
             self.assertEqual(point[4:7], ["10", "20", "30"])
             self.assertLess(float(point[7]), 1e-3)
 
+    def test_parts_are_held_and_freed_for_one_run(self):
+        out = self.path / "out"
+        for words, kept in ((["--hold", "intrinsics"], {4, 5, 6, 7}), (["--hold", "focal-lengths"], {4, 5, 6}),
+                            (["--free", "principal-points"], set()),
+                            (["--hold", "focal-lengths,distortion", "--free", "principal-points"], {4, 7})):
+            done = run("optimize", self.folder, "-o", out, *words)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            before, after = self.lines(self.folder, "cameras.txt")[0], self.lines(out, "cameras.txt")[0]
+            self.assertEqual({k for k in range(4, 8) if float(before[k]) == float(after[k])}, kept, words)
+        self.assert_refused(run("optimize", self.folder, "--hold", "lens"), "got 'lens'")
+        graph = self.written("graph.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n")
+        self.assert_refused(run("optimize", graph, "--hold", "points"), "--hold: expected a graph of bundle adjustment with points")
+        self.assert_refused(run("optimize", self.folder, "--hold", "points", "--free", "points"), "different parts, got points")
+
+    def test_the_noise_of_pixels_scales_chi2_and_is_not_written(self):
+        chi2 = {}
+        for sigma in ("1", "0.5"):
+            done = run("optimize", self.folder, "-o", self.path / "out", "--pixel-sigma", sigma, "--json", "-")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            chi2[sigma] = json.loads(done.stdout)["chi2_initial"]
+            expected = "" if sigma == "1" else "the format does not keep the information of 36 edges"
+            self.assertIn(expected, done.stderr)
+        self.assertAlmostEqual(chi2["0.5"] / chi2["1"], 4, places=9)
+
     def test_a_model_can_be_converted_to_binary_and_back(self):
         binary, text = self.path / "binary", self.path / "text"
         done = run("convert", self.folder, binary, "--format", "colmap")
@@ -82,6 +106,16 @@ class ColmapTest(CommandCase):
         chi2 = [json.loads(run("info", graph, "--json", "-").stdout)["chi2"] for graph in (self.folder, bal, again)]
         self.assertAlmostEqual(chi2[1] / chi2[0], 1, places=9)
         self.assertAlmostEqual(chi2[2] / chi2[0], 1, places=9)
+
+    def test_what_only_json_keeps_is_named(self):
+        graph = self.path / "graph.json"
+        self.assertEqual(run("convert", self.folder, graph).returncode, 0)
+        content = json.loads(graph.read_text(encoding="utf-8"))
+        content["edges"][0]["level"] = 2
+        graph.write_text(json.dumps(content), encoding="utf-8")
+        done = run("convert", graph, f"{self.path / 'out'}/")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("only JSON keeps that 1 edges have another level than 0", done.stderr)
 
     def test_a_model_becomes_a_point_cloud(self):
         out = self.path / "cloud.ply"
@@ -106,6 +140,22 @@ class ColmapTest(CommandCase):
         done = run("compare", out, self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("3 poses", done.stdout)
+
+    def test_a_free_scale_is_mentioned_if_it_explains_the_error(self):
+        larger = self.path / "larger"
+        shutil.copytree(self.folder, larger)
+        images = (larger / "images.txt").read_text(encoding="utf-8").splitlines()
+        for k in (0, 2, 4):
+            fields = images[k].split()
+            images[k] = " ".join(fields[:5] + [str(3 * float(x)) for x in fields[5:8]] + fields[8:])
+        (larger / "images.txt").write_text("\n".join(images) + "\n", encoding="utf-8")
+        self.assertIn("with --scale, the RMSE of the ATE is", run("compare", larger, self.folder).stdout)
+        self.assertNotIn("--scale", run("compare", larger, self.folder, "--scale").stdout)
+        self.assertNotIn("--scale", run("compare", self.folder, self.folder).stdout)
+        done = run("plot", self.folder, "-o", "-", "--format", "svg", "--truth", larger)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("#f2d06b", done.stdout)
+        self.assertIn(">truth<", done.stdout)
 
     def test_a_model_can_be_drawn_with_cameras_as_pyramids(self):
         out = self.path / "out.svg"

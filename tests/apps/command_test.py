@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the boxplus command as users do, and tests the behavior that all sub-commands share."""
 
+import json
 import pathlib
 import re
 import subprocess
@@ -36,6 +37,22 @@ class CommandTest(CommandCase):
             self.assertEqual(run("help", environment={"BOXPLUS_ISA": name}).returncode, 0)
         done = run("optimize", TOWN, "--json", "-", environment={"BOXPLUS_ISA": "baseline"})
         self.assertIn('"instructions": "baseline"', done.stdout)
+
+    def test_each_instruction_set_gives_the_same_bits_for_any_number_of_threads(self):
+        complaint = run("help", environment={"BOXPLUS_ISA": "none"}).stderr
+        names = re.search(r"\((.*?)\)", complaint).group(1).split(", ")
+        self.assertIn("baseline", names)
+        graph = self.path / "graph.g2o"
+        run("simulate", "sphere", "--poses", 900, "-o", graph)
+        for name in names:
+            texts = set()
+            for threads in (1, 2, 3):
+                done = run("optimize", graph, "-o", "-", "--threads", threads, "--json", self.path / "report.json",
+                           environment={"BOXPLUS_ISA": name})
+                texts.add(done.stdout)
+                report = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+                self.assertEqual((report["status"], report["instructions"]), ("converged", name))
+            self.assertEqual(len(texts), 1, name)
 
     def test_wrong_usage_exits_with_2_and_one_message(self):
         for words, text in (

@@ -53,6 +53,14 @@ class InfoTest(CommandCase):
                          [([0, 4], 9, 11), ([0, 3], 1, 12)])
         self.assertEqual(poses["worst"], facts["worst_edges"][0])
 
+    def test_counts_lines_of_data(self):
+        scans = "VERTEX_TAG door 1 0 0 0 0 0 1 robot 2\nROBOTLASER1 0\nVERTEX_TAG hall 1 0 0 0 0 0 1 robot 2\n"
+        graph = GRAPH.replace("VERTEX_SE2 2 1 0 0\n", "VERTEX_SE2 2 1 0 0\n" + scans)
+        self.assertEqual(facts_of(graph)["data"], {"ROBOTLASER1": 1, "VERTEX_TAG": 2})
+        self.assertEqual(facts_of(graph)["notes"], [])
+        self.assertRegex(run("info", "-", stdin=graph).stdout, r"\n  data +1 ROBOTLASER1, 2 VERTEX_TAG\n")
+        self.assertNotIn("data", run("info", "-", stdin=GRAPH).stdout)
+
     def test_line_numbers_are_correct_if_other_lines_are_skipped(self):
         broken = GRAPH.replace("EDGE_SE2 0 2 1", "EDGE_SE2 0 2 x")
         facts = facts_of(broken, "--lenient")
@@ -117,6 +125,45 @@ class InfoTest(CommandCase):
         self.assert_refused(run("info", "-", stdin="\x7fELF\x02\n\x00\n"), r"expected a vertex or an edge", r"its first line is '\x7fELF\x02'")
         self.assert_refused(run("info", self.path), "got a folder without the files of a graph")
         self.assert_refused(run("info", TOWN, "--worst", -1), "--worst: expected a whole number ≥ 0, got '-1'")
+    def test_writes_the_matrix_of_the_normal_equations_for_other_programs(self):
+        # Both errors are linear at θ = 0: e_01 = (x1 - x0, y1 - y0 - ..., θ1 - θ0), and a prior for vertex 7.
+        graph = ("VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_SE2 1 1 0 0\nVERTEX_XY 7 3 0\nEDGE_SE2 0 1 1 0 0 4 0 0 5 0 6\n"
+                 "EDGE_SE2_XY 1 7 2 0 2 1 3\n")
+        path = self.written("graph.g2o", graph)
+        # J of EDGE_SE2 for pose 1 is I. J of EDGE_SE2_XY is [-1 0 0; 0 -1 -2] for pose 1, and I for the point.
+        lower = {(1, 1): 6, (2, 1): 1, (3, 1): 2, (4, 1): -2, (5, 1): -1, (2, 2): 8, (3, 2): 6, (4, 2): -1, (5, 2): -3,
+                 (3, 3): 18, (4, 3): -2, (5, 3): -6, (4, 4): 2, (5, 4): 1, (5, 5): 3}
+        done = run("info", path, "--matrix", self.path / "H.mtx")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = (self.path / "H.mtx").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(lines[:5], ["%%MatrixMarket matrix coordinate real symmetric", "% H of the normal equations",
+                                     "% rows 1 to 3: vertex 1 (VERTEX_SE2)", "% rows 4 to 5: vertex 7 (VERTEX_XY)", "5 5 15"])
+        entries = [tuple(map(float, line.split())) for line in lines[5:]]
+        self.assertEqual({(row, column): value for row, column, value in entries}, lower)
+
+        text = run("info", path, "--matrix", "-").stdout
+        begin, blocks = text.split("\n\n\n")
+        header, values = begin.split("# name: H\n# type: sparse matrix\n# nnz: 25\n# rows: 5\n# columns: 5\n")
+        self.assertIn("# rows 4 to 5: vertex 7 (VERTEX_XY)\n", header)
+        entries = [tuple(map(float, line.split())) for line in values.splitlines()]
+        self.assertEqual([entry[:2] for entry in entries], [(row, column) for column in range(1, 6) for row in range(1, 6)])
+        self.assertEqual({(row, column): value for row, column, value in entries},
+                         {**lower, **{(column, row): value for (row, column), value in lower.items()}})
+        self.assertEqual(blocks, "# name: blocks\n# type: matrix\n# rows: 2\n# columns: 4\n 1 1 3 0\n 7 4 2 0\n")
+
+    def test_the_matrix_has_eliminated_vertices_first_and_the_weights_of_the_kernel(self):
+        bal = "1 1 1\n0 0 1 2\n0 0 0 0 0 0 500 0 0\n1 2 -10\n"
+        text = run("info", "-", "--matrix", "-", stdin=bal).stdout
+        self.assertIn("# rows 1 to 3: vertex 1 (VERTEX_TRACKXYZ)\n# rows 4 to 12: vertex 0 (Product<SE3, BAL>)\n", text)
+        graph = "VERTEX_XY 0 0 0\nEDGE_PRIOR_XY 0 10 0 1 0 1\n"
+        text = run("info", "-", "--matrix", "-", "--kernel", "Huber", "--kernel-width", "1", stdin=graph).stdout
+        self.assertIn("\n1 1 0.1\n2 2 0.1\n", text)
+
+    def test_refuses_a_matrix_that_is_not_finite_or_that_replaces_the_input(self):
+        path = self.written("graph.g2o", "VERTEX_XY 0 0 0\nEDGE_PRIOR_XY 0 10 0 1 0 1\n")
+        self.assert_refused(run("info", path, "--matrix", path), "--matrix: expected a file other than the input")
+        self.assert_refused(run("info", path, "--matrix", "-", "--json", "-"), "expected two different files")
+
 
 if __name__ == "__main__":
     main()

@@ -145,6 +145,21 @@ class OptimizeTest(CommandCase):
             self.assertEqual(len(used), len(names), used)
         self.assertEqual(self.report_of(TOWN, "--solver", "eigen")["linear_solver"], "eigen_sparse")
 
+    def test_only_gauss_newton_may_end_above_its_start(self):
+        for world in ("sphere", "torus", "grid", "manhattan", "city"):
+            for seed in (1, 2):
+                graph = self.path / f"{world}{seed}.g2o"
+                run("simulate", world, "--poses", 150, "--noise", 3, "--outliers", 0.3, "--seed", seed, "-o", graph)
+                for algorithm in ("dogleg", "levenberg-marquardt"):
+                    for limit in (1, 2, 5, 100):
+                        done = run("optimize", graph, "--algorithm", algorithm, "--start", "current", "--iterations", limit,
+                                   "--quiet", "--json", self.path / "report.json", "-o", self.path / "out.g2o")
+                        self.assertIn(done.returncode, (0, 1), done.stderr)
+                        report = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+                        self.assertLessEqual(report["chi2_final"], report["chi2_initial"], (world, seed, algorithm, limit))
+                        written = json.loads(run("info", self.path / "out.g2o", "--json", "-").stdout)
+                        self.assertAlmostEqual(written["chi2"] / report["chi2_final"], 1, places=9)
+
     def test_only_levenberg_marquardt_accepts_the_options_for_damping(self):
         marquardt = ("--algorithm", "levenberg-marquardt")
         records = self.report_of(TOWN, *marquardt, "--lambda", 7.5)["records"]

@@ -34,6 +34,21 @@ class OutliersTest(CommandCase):
         rejected = [(edge["from"], edge["to"]) for edge in outliers["closures"] if edge["verdict"] == "outlier"]
         self.assertEqual([tuple(map(int, line.split()[1:3])) for line in lines[1:]], rejected)
 
+    def test_judges_all_edges_of_bundle_adjustment(self):
+        scene, found = self.path / "scene.bal", self.path / "found.json"
+        done = run("simulate", "ba", "--cameras", 15, "--points", 400, "--outliers", 0.1, "-o", scene)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = run("optimize", scene, "--outliers", "all", "--json", found, "-o", self.path / "clean.bal", "--remove-outliers")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(found.read_text(encoding="utf-8"))
+        outliers = report["outliers"]
+        self.assertIn(f"{outliers['outliers']} of {len(outliers['edges'])} edges are false", done.stdout)
+        self.assertGreater(outliers["outliers"], 0.06 * len(outliers["edges"]))
+        self.assertLess(report["chi2_final"] / report["degrees_of_freedom"], 1.2)
+        info = json.loads(run("info", self.path / "clean.bal", "--json", "-").stdout)
+        self.assertEqual(info["edges"], sum(edge["weight"] for edge in outliers["edges"]))
+        self.assertAlmostEqual(info["chi2"] / report["chi2_final"], 1, 6)
+
     def test_keeps_all_edges_unless_told_to_remove_the_outliers(self):
         every, some = self.path / "every.g2o", self.path / "some.g2o"
         search = ("optimize", self.graph, "--outliers", "loop-closures")

@@ -256,7 +256,7 @@ class PlotTest(CommandCase):
         self.assertEqual(shape(truth), shape(picture.paths), "the rotated truth covers the graph")
         self.assertIn("truth", self.drawn("-", "--truth", self.path / "truth.g2o", stdin=CHAIN).words)
         self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.txt", "1 0 0 0 0 0 0 1\n"), stdin=CHAIN), "t.txt: expected a graph")
-        self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.g2o", "VERTEX_SE2 77 0 0 0\n"), stdin=CHAIN), "with the same ids as in <stdin>")
+        self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.g2o", "VERTEX_SE2 77 0 0 0\n"), stdin=CHAIN), "poses that match <stdin> by id")
 
     def test_the_option_equal_scale_gives_both_panels_the_same_scale(self):
         large = self.written("large", re.sub(r"(VERTEX_SE2 \d) (\d) (\d)", r"\1 \g<2>000 \g<3>000", CHAIN))

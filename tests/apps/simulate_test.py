@@ -156,5 +156,36 @@ class SimulateTest(CommandCase):
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("cannot be written", done.stderr)
 
+class RobotTest(CommandCase):
+    SENSORS = {"robot2d": ("points", "bearings", "poses", "compass", "gps", "segments"),
+               "robot3d": ("points", "depth", "disparity", "poses", "compass", "gps")}
+
+    def simulated(self, world, *options):
+        done = run("simulate", world, "--poses", 150, "--world-size", 15, "-o", self.path / "g.g2o", *options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return words_of(self.path / "g.g2o")
+
+    def test_each_sensor_adds_measurements(self):
+        for world, sensors in self.SENSORS.items():
+            help_text = " ".join(run("simulate", "--help").stdout.split())
+            alone = sum(self.simulated(world, "--sensors", "gps", "--landmarks", 0).values())
+            for sensor in sensors:
+                self.assertIn(sensor, help_text)
+                if sensor != "gps":
+                    self.assertGreater(sum(self.simulated(world, "--sensors", f"gps,{sensor}").values()), alone + 10)
+            counts = self.simulated(world, "--sensors", ",".join(sensors))
+            self.assertEqual(run("optimize", self.path / "g.g2o", "-q").returncode, 0)
+            self.assertGreater(len(counts), 8)
+
+    def test_options_are_refused_where_they_do_not_apply(self):
+        out = self.path / "x.g2o"
+        self.assert_refused(run("simulate", "sphere", "--sensors", "gps", "-o", out),
+                            "--sensors: expected this option only with the worlds robot2d and robot3d")
+        self.assert_refused(run("simulate", "ba", "--landmarks", 3, "-o", out), "--landmarks: expected this option only")
+        self.assert_refused(run("simulate", "robot2d", "--cameras", 3, "-o", out), "--cameras: expected this option only")
+        self.assert_refused(run("simulate", "robot2d", "--sensors", "gps,depth", "-o", out),
+                            "--sensors: expected sensors of this robot (points, bearings, poses, compass, gps, segments), got 'depth'")
+        self.assertFalse(out.exists())
+
 if __name__ == "__main__":
     main()

@@ -142,6 +142,7 @@ class OptimizeView(CommandCase):
         viewer = self.start("-o", output)
         stream = viewer.stream().read_until(lambda s: not s.state["busy"])
         self.assertEqual(stream.run["status"], "converged")
+        self.assertIn("opens no files", stream.state["opens_no_files"])
         self.assertEqual(len(stream.rows), stream.rows[-1]["iteration"])
         self.assertTrue(output.exists())
         self.assertEqual(viewer.end(), 0)
@@ -388,6 +389,8 @@ class Files(ViewCase):
         self.assertEqual((status, diagnosis["structure"]), (200, stream.structure[0]["structure"]))
         self.assertEqual(len(diagnosis["findings"]), diagnosis["count"])
         self.assertFalse([f for f in diagnosis["findings"] if f["severity"] == "error"])
+        stream.read_until(lambda s: s.state["diagnosis"])
+        self.assertEqual(stream.state["diagnosis"], "current")
         self.assertEqual(viewer.request("GET", "/diagnosis")[0], 403)
 
     def test_show_the_pattern_of_H(self):

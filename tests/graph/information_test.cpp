@@ -174,5 +174,16 @@ TEST(Information, OfTheSameSizeIsReplacedInPlace) {
   EXPECT_EQ(graph.information(edge)(1, 1), 101);
 }
 
+TEST(Information, ThatIsIndefiniteIsAcceptedOnlyAsGiven) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Vector2d(1, -1));
+  const Eigen::Matrix2d omega = matrix2(1, 2, 2, 1);
+  EXPECT_THROW(graph.add_edge(kPosition, omega, a), InvalidArgument);
+  const auto edge = graph.add_edge(kPosition, Information(omega).as_given(), a);
+  EXPECT_EQ(graph.chi2(edge), -2);
+  EXPECT_THROW(graph.set_information(edge, omega), InvalidArgument);
+  EXPECT_THROW(graph.set_information(edge, Information(std::nan("")).as_given()), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace boxplus

@@ -73,8 +73,24 @@ void expect_complaint(const LastLine& last, const std::string& bad, std::size_t 
 
 TEST_P(EveryTag, HasNoLineThatCanEndEarlier) {
   const LastLine last(text_);
-  for (std::size_t count = 1; count < last.fields.size(); ++count)
+  const auto optional = static_cast<std::size_t>(default_registry().find(GetParam())->optional_fields);
+  for (std::size_t count = 1; count < last.fields.size(); ++count) {
+    if (optional > 0 && count == last.fields.size() - optional) continue;
     expect_complaint(last, last.begin(count), last.begin(count).size() + 1);
+  }
+}
+
+TEST_P(EveryTag, CanEndBeforeItsOptionalFieldsWithANote) {
+  const auto optional = static_cast<std::size_t>(default_registry().find(GetParam())->optional_fields);
+  if (optional == 0) GTEST_SKIP() << "no optional fields";
+  const LastLine last(text_);
+  const std::string line = last.begin(last.fields.size() - optional);
+  const GraphFile file = parse_graph(last.before + line + "\n", "g");
+  ASSERT_EQ(file.notes.size(), 1u);
+  EXPECT_EQ(file.notes[0].line, last.number);
+  const LastLine written(format_graph(file));
+  EXPECT_EQ(written.fields.size(), last.fields.size());
+  EXPECT_EQ(written.begin(last.fields.size() - optional), line);
 }
 
 TEST_P(EveryTag, HasNoFieldThatCanBeAWord) {
@@ -115,17 +131,22 @@ Eigen::VectorXd jacobian(const Graph& graph, EdgeRef edge, bool force_numeric) {
 
 TEST_P(EveryTag, HasCorrectJacobiansAtRandomEstimates) {
   if (default_registry().find(GetParam())->kind != Tag::Kind::kEdge) GTEST_SKIP() << "not an edge";
+  // A numeric derivative is wrong if an error jumps (half a turn) or has a pole (points in the plane of a
+  // camera).
+  constexpr int kTrials = 1000, kMostAtJumps = 3;
   std::mt19937 random(1);
-  for (int trial = 0; trial < 10; ++trial) {
+  int wrong = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
     const GraphFile file = parse_graph(text_, "g");
     move_all_vertices(file.graph, random);
     ASSERT_FALSE(file.edges.empty());
     for (const EdgeRef& edge : file.edges) {
       const Eigen::VectorXd expected = jacobian(file.graph, edge, true);
       EXPECT_GT(expected.norm(), 0);
-      EXPECT_LT((jacobian(file.graph, edge, false) - expected).norm(), 1e-6 * (1 + expected.norm()));
+      wrong += !((jacobian(file.graph, edge, false) - expected).norm() < 1e-6 * (1 + expected.norm()));
     }
   }
+  EXPECT_LE(wrong, kMostAtJumps);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(GraphFile, IsWrittenInTheFormatOfItsFileIfItsExtensionIsUnknown) {
   const std::string text = "0 1 0\n1\n2\n3\n";
   const GraphFile file = parse_graph(text, "g");
   EXPECT_EQ(file.format, "BAL");
-  const std::string path = testing::TempDir() + "boxplus_graph_file_test.txt";
+  const std::string path = testing::TempDir() + "boxplus_graph_file_test_of_bal.txt";
   write_graph(path, file);
   EXPECT_EQ(format_graph(read_graph(path)), text);
   write_graph(path, file.graph);

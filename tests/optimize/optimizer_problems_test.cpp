@@ -88,7 +88,7 @@ TEST(Optimize, RefusesInvalidOptions) {
   EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.threads = -1; })), InvalidArgument);
   EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.cost_tolerance = std::nan(""); })),
                InvalidArgument);
-  EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.linear_tolerance = 0; })), InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.linear_tolerance = -1; })), InvalidArgument);
   EXPECT_THROW((void)optimize(graph, with([](Options& o) {
                                 o.vertices = {VertexRef{7, 7, 7}};
                               })),

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/algorithm_table.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/false_closures.h"
 #include "boxplus/testing/simulate.h"
@@ -217,6 +218,58 @@ TEST(FindOutliers, KeepsObservationsOfLandmarks) {
   EXPECT_LE(wrong_verdicts(found, example.false_closures), 0.02 * static_cast<double>(found.verdicts.size()));
   EXPECT_EQ(found.report.edges + found.verdicts.size() - found.count(Verdict::kInlier),
             example.graph.edge_count());
+}
+
+TEST(FindOutliers, RefusesPosesInThePlaneAndInSpaceUnlessAllEdgesAreSuspects) {
+  Graph graph = simulated(World::kManhattan, 100);
+  auto last = graph.add_vertex(SE3());
+  for (int k = 0; k < 5; ++k) {
+    const auto next = graph.add_vertex(SE3());
+    graph.add_edge(Between<SE3>(SE3()), last, next);
+    last = next;
+  }
+  EXPECT_THROW(static_cast<void>(find_outliers(graph)), InvalidArgument);
+  OutlierOptions options;
+  options.suspects = Suspects::kAll;
+  EXPECT_EQ(find_outliers(graph, options).verdicts.size(), graph.edge_count());
+}
+
+TEST(OptionsOutliers, MakeEachRunThatOfFindOutliers) {
+  Example example(simulated(World::kManhattan, 300), {.fraction = 0.3});
+  Graph copy = example.graph;
+  const OutlierReport found = find_outliers(copy);
+  Options options;
+  options.outliers = Suspects::kLoopClosures;
+  const Report report = optimize(example.graph, options);
+  EXPECT_EQ(report.chi2_final, found.report.chi2_final);
+  ASSERT_EQ(report.verdicts.size(), found.verdicts.size());
+  for (std::size_t k = 0; k < found.verdicts.size(); ++k)
+    EXPECT_EQ(report.verdicts[k].verdict, found.verdicts[k].verdict);
+  EXPECT_THAT(to_string(report), HasSubstr("suspects are false"));
+}
+
+TEST(OptionsOutliers, OfALaterRunLeaveNoVerdictsBehind) {
+  Example example(simulated(World::kManhattan, 100), {.fraction = 0.3});
+  Options options;
+  options.outliers = Suspects::kAll;
+  Optimizer optimizer(example.graph, options);
+  EXPECT_EQ(optimizer.run().verdicts.size(), example.graph.edge_count());
+  options.outliers.reset();
+  optimizer.set_options(options);
+  Report report;
+  report.verdicts.resize(3);
+  report.outlier_note = "old";
+  optimizer.run(report);
+  EXPECT_TRUE(report.verdicts.empty());
+  EXPECT_EQ(report.outlier_note, "");
+}
+
+TEST(OptionsOutliers, RefuseACustomAlgorithm) {
+  Graph graph = simulated(World::kManhattan, 20);
+  Options options;
+  options.outliers = Suspects::kAll;
+  const auto algorithm = make_algorithm(AlgorithmKind::kDogleg);
+  EXPECT_THROW(static_cast<void>(Optimizer(graph, options).run(*algorithm)), InvalidArgument);
 }
 
 }  // namespace

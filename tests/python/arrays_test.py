@@ -8,7 +8,7 @@ import unittest
 import boxplus
 import numpy as np
 from boxplus import SE2, SE3, Between, PointObservation2, Prior, Range, Vector2
-from g2o_arrays import graph_from_arrays
+from g2o_arrays import graph_from_arrays, parse_g2o
 
 FILE_2D = """VERTEX_SE2 0 0 0 0
 VERTEX_SE2 1 1.1 0.1 0.3
@@ -38,7 +38,7 @@ class Arrays(unittest.TestCase):
                 path = pathlib.Path(folder) / "graph.g2o"
                 path.write_text(text, encoding="utf-8")
                 from_file = boxplus.load(path)
-            graph = graph_from_arrays(text)
+            graph = graph_from_arrays(parse_g2o(text))
             self.assertEqual(graph.to_text(), from_file.to_text())
             self.assertEqual(graph.chi2(), from_file.chi2())
             reports = boxplus.optimize(graph), boxplus.optimize(from_file)
@@ -154,6 +154,38 @@ class Arrays(unittest.TestCase):
                 self.assertEqual(graph.to_text(), before)
         self.assert_refused(TypeError, "edge: expected one of Between, Prior",
                             lambda: graph.add_edges(SE2, i, j, measurements=z))
+
+    def test_a_masked_array_is_refused_if_numbers_are_masked(self):
+        graph = line(3)
+        edge = graph.add_edge(Between(boxplus.SE2()), 0, 1)
+        before = graph.to_text()
+        masked = np.ma.array([[1.0, 2, 3], [4, 5, 6]], mask=[[False] * 3, [False, True, False]])
+        row, omega = masked[1], np.ma.masked_equal(np.eye(3), 0)
+        i = np.ma.array([0, 1], mask=[True, False])
+        for method, arguments, options in (
+                ("add_vertices", (SE2, [5, 6], masked), {}), ("set_estimates", (SE2, [0, 1], masked), {}),
+                ("add_edges", (Between, [0, 1], [1, 2]), {"measurements": masked}),
+                ("add_edges", (Between, i, [1, 2]), {"measurements": np.ones((2, 3))}),
+                ("add_edges", (Between, [0, 1], [1, 2]), {"measurements": np.ones((2, 3)), "informations": omega}),
+                ("add_vertex", (row[:2],), {}), ("set_information", (edge, omega), {}),
+                ("add_edge", (Between(boxplus.SE2()), 0, 2), {"information": omega})):
+            with self.subTest(method):
+                self.assert_refused(ValueError, f"Graph.{method}: expected an array without masked numbers, got a masked array",
+                                    lambda: getattr(graph, method)(*arguments, **options))
+                self.assertEqual(graph.to_text(), before)
+        graph.add_vertices(SE2, [5], np.ma.array([[1.0, 2, 3]], mask=False))
+        self.assertEqual(graph.estimate(5).vector().tolist(), [1, 2, 3])
+
+    def test_a_masked_error_is_refused(self):
+        class Masked(boxplus.BatchedEdge):
+            def error(self, x):
+                return np.ma.masked_less(x[:, 0], 10)
+
+        graph = line(3)
+        self.assert_refused(ValueError, "Masked: expected an array without masked numbers",
+                            lambda: graph.add_edges(Masked(), [0, 1]))
+        self.assert_refused(ValueError, "expected an array without masked numbers",
+                            lambda: graph.add_edge(lambda x: np.ma.masked_less(x.vector(), 10), 0))
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 import boxplus
-from g2o_arrays import graph_from_arrays
+from g2o_arrays import graph_from_arrays, parse_g2o
 
 TOLERANCE = 1e-6  # the largest relative difference from BEST
 
@@ -19,7 +19,7 @@ def main(name, best):
     if not path.is_file():
         print(f"SKIPPED: there is no {name} in BOXPLUS_DATA")
         return 77
-    graph, same = boxplus.load(path), graph_from_arrays(path.read_text(encoding="utf-8"))
+    graph, same = boxplus.load(path), graph_from_arrays(parse_g2o(path.read_text(encoding="utf-8")))
     assert graph.chi2() == same.chi2(), f"chi2 {graph.chi2()!r} of the file, {same.chi2()!r} of the arrays"
     report, report_of_same = boxplus.optimize(graph), boxplus.optimize(same)
     print(report)

@@ -18,20 +18,26 @@ def full_matrices(triangles, rows):
     return matrices
 
 
-def graph_from_arrays(text):
+def parse_g2o(text):
+    """(class, ids, estimates, fixed ids, ids of the edges' vertices, measurements, informations)"""
     lines = [line.split() for line in text.splitlines() if line.strip()]
     vertices = [line for line in lines if line[0] in TAGS]
     edges = [line for line in lines if line[0] in EDGE_TAGS]
     kind, rows = TAGS[vertices[0][0]]
-    graph = boxplus.Graph()
-    graph.add_vertices(kind, np.array([int(line[1]) for line in vertices]),
-                       np.array([[float(field) for field in line[2:]] for line in vertices]))
-    for line in lines:
-        for vertex in line[1:] if line[0] == "FIX" else []:
-            graph.fix(int(vertex))
+    fixed = [int(vertex) for line in lines if line[0] == "FIX" for vertex in line[1:]]
     numbers = np.array([[float(field) for field in line[3:]] for line in edges])
     size = numbers.shape[1] - rows * (rows + 1) // 2
     ids = np.array([[int(line[1]), int(line[2])] for line in edges])
-    graph.add_edges(boxplus.Between, ids[:, 0], ids[:, 1], measurements=numbers[:, :size],
-                    informations=full_matrices(numbers[:, size:], rows))
+    return (kind, np.array([int(line[1]) for line in vertices]),
+            np.array([[float(field) for field in line[2:]] for line in vertices]), fixed, ids, numbers[:, :size],
+            full_matrices(numbers[:, size:], rows))
+
+
+def graph_from_arrays(arrays):
+    kind, ids, estimates, fixed, ends, measurements, informations = arrays
+    graph = boxplus.Graph()
+    graph.add_vertices(kind, ids, estimates)
+    for vertex in fixed:
+        graph.fix(vertex)
+    graph.add_edges(boxplus.Between, ends[:, 0], ends[:, 1], measurements=measurements, informations=informations)
     return graph

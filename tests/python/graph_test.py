@@ -3,7 +3,6 @@
 
 import copy
 import gc
-import pickle
 import unittest
 
 import boxplus
@@ -67,7 +66,7 @@ class Vertices(unittest.TestCase):
                 (ValueError, "vertex: expected an int of at most 64 bits", lambda: graph.estimate(2**70)),
                 (InvalidArgument, "", lambda: graph.estimate(other.vertex(0))),
                 (InvalidArgument, "", lambda: graph.add_vertex(SE2(), 0)),
-                (TypeError, "estimate: expected one of SE2, SE3, Vector2, Vector3", lambda: graph.add_vertex([1, 2, 3, 4])),
+                (TypeError, "estimate: expected one of SE2, SE3, Vector2", lambda: graph.add_vertex(range(13))),
                 (TypeError, "estimate: expected an SE2, got SE3", lambda: graph.set_estimate(0, SE3()))):
             with self.subTest(text), self.assertRaises(error) as raised:
                 function()
@@ -175,10 +174,6 @@ class Lifetimes(unittest.TestCase):
         boxplus.optimize(graph)
         graph.pop()
         self.assertEqual((graph.to_text(), graph.stack_size()), (before, 0))
-
-    def test_a_graph_cannot_be_pickled(self):
-        with self.assertRaisesRegex(TypeError, "use save"):
-            pickle.dumps(square()[0])
 
     def test_objects_may_be_deleted_in_any_order(self):
         graph, edges = square()

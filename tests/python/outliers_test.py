@@ -40,6 +40,18 @@ def rounds(count):
 
 
 class FindOutliers(unittest.TestCase):
+    def test_any_edge_may_be_a_suspect(self):
+        graph = Graph()
+        graph.add_vertex([0.0, 0.0])
+        edges = [graph.add_edge(Prior([0.01 * k, 0]), 0, information=1e4) for k in range(8)]
+        false = graph.add_edge(Prior([7, 7]), 0, information=1e4)
+        found = find_outliers(graph, suspects="all")
+        self.assertEqual(found.edges("outlier"), [false])
+        self.assertEqual(found.edges(Verdict.kInlier), edges)
+        self.assertEqual(found.suspects, boxplus.Suspects.kAll)
+        with self.assertRaisesRegex(ValueError, "loop-closures"):
+            find_outliers(graph, suspects="some")
+
     def test_false_closures_are_outliers(self):
         graph, closures, is_false = rounds(250)
         found = find_outliers(graph)

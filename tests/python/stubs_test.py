@@ -2,11 +2,15 @@
 """The stubs for editors and type checkers (*.pyi) have the names of the module."""
 
 import ast
+import copy
 import pathlib
 import unittest
 
 import boxplus
 
+PACKAGE = pathlib.Path(boxplus.__file__).parent
+# Modules of the package with names of their own; boxplus does not import plot.
+MODULES = ("plot", "rows")
 # Only for the stubs: aliases, and the base class of enumerations.
 STUB_ONLY = {"Array", "Ids", "Vertex", "Estimate", "VertexType", "Enum"}
 
@@ -29,6 +33,18 @@ def names_in_class(cls):
     return names - {"name", "value"} if hasattr(cls, "__members__") else names
 
 
+def parsed(path):
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+def arguments(function):
+    """The arguments of a function without their types."""
+    copied = copy.deepcopy(function.args)
+    for argument in copied.posonlyargs + copied.args + copied.kwonlyargs:
+        argument.annotation = None
+    return ast.unparse(copied)
+
+
 class Stubs(unittest.TestCase):
     def assert_same_names(self, stub, cls, where):
         expected = {} if issubclass(cls, boxplus.Edge) and cls is not boxplus.Edge else names_in_stub(stub)
@@ -41,12 +57,24 @@ class Stubs(unittest.TestCase):
 
     def test_the_stubs_have_the_names_of_the_module(self):
         names = {}
-        for path in pathlib.Path(boxplus.__file__).parent.glob("*.pyi"):
-            names.update(names_in_stub(ast.parse(path.read_text(encoding="utf-8"))))
+        for path in PACKAGE.glob("*.pyi"):
+            if path.stem not in MODULES:
+                names.update(names_in_stub(parsed(path)))
         self.assertEqual(set(names) - STUB_ONLY, set(boxplus.__all__))
         for name, child in names.items():
             if isinstance(child, ast.ClassDef) and name not in STUB_ONLY:
                 self.assert_same_names(child, getattr(boxplus, name), name)
+
+    def test_the_stubs_of_other_modules_have_their_functions_and_arguments(self):
+        for name in MODULES:  # compares the sources, because the module may lack what it needs
+            module, stub = parsed(PACKAGE / f"{name}.py"), parsed(PACKAGE / f"{name}.pyi")
+            exported = next(ast.literal_eval(node.value) for node in module.body
+                            if isinstance(node, ast.Assign) and node.targets[0].id == "__all__")
+            functions = {node.name: node for node in module.body if isinstance(node, ast.FunctionDef)}
+            self.assertEqual(sorted(names_in_stub(stub)), exported)
+            for function, node in names_in_stub(stub).items():
+                self.assertEqual(arguments(node), arguments(functions[function]), function)
+                self.assertTrue(ast.get_docstring(functions[function]), function)
 
     def test_every_class_and_function_has_a_documentation(self):
         for name in boxplus.__all__:

@@ -82,6 +82,17 @@ TEST(Simulate, SeesAFewLandmarksAheadInTheCity) {
   EXPECT_THAT(observations / 5000.0, AllOf(Ge(2), Le(8))) << "observations per pose";
 }
 
+// The flights pass each room many times.
+TEST(Simulate, OfPlanesAndLinesEndsAtAChi2ThatNoiseExplains) {
+  for (World world : {World::kPlanes, World::kLines}) {
+    Simulation simulation = simulate(world, {.poses = 1000, .seed = 4});
+    const Report report = optimize(simulation.graph, {.start = Start::kAutomatic});
+    EXPECT_TRUE(report.converged()) << to_string(world) << ": " << report.message;
+    const auto n = static_cast<double>(report.degrees_of_freedom);
+    EXPECT_NEAR(report.chi2_final, n, 5 * std::sqrt(2 * n)) << to_string(world);
+  }
+}
+
 TEST(Simulate, TurnsTheRequestedFractionOfRecognitionsAndNothingElseIntoOutliers) {
   for (World world : kWorlds) {
     const int poses = world == World::kStreets ? 5000 : 1500;

@@ -2,6 +2,8 @@
 #include "viewer/scene/edge_roles.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <vector>
 
 namespace boxplus::viewer {
 
@@ -28,13 +30,29 @@ std::string_view name_of(EdgeRole role, std::size_t count) {
 }
 
 EdgeRoles::EdgeRoles(const Graph& graph) : graph_(&graph) {
+  std::unordered_set<Id> last,
+      other;  // where the vertices are in edges of three or more vertices, and in all others
+  for (const EdgeRef& edge : graph.all_edges()) {
+    std::vector<Id> ids;
+    for (const VertexRef& vertex : graph.vertices(edge)) {
+      if (!graph.vertex_pools()[vertex.pool]->parameter(vertex.slot)) ids.push_back(graph.id(vertex));
+    }
+    if (ids.size() < 3) {
+      other.insert(ids.begin(), ids.end());
+    } else {
+      last.insert(ids.back());
+      other.insert(ids.begin(), ids.end() - 1);
+    }
+  }
   for (const VertexRef& vertex : graph.all_vertices()) {
-    if (role_of(graph, vertex) == VertexRole::kPose) rank_.emplace(graph.id(vertex), rank_.size());
+    const Id id = graph.id(vertex);
+    const bool is_sensor = last.contains(id) && !other.contains(id);
+    if (role_of(graph, vertex) == VertexRole::kPose && !is_sensor) rank_.emplace(id, rank_.size());
   }
 }
 
 EdgeRole EdgeRoles::operator()(EdgeRef edge) const {
-  std::size_t vertices = 0, landmarks = 0;
+  std::size_t vertices = 0, landmarks = 0, others = 0;
   std::vector<std::size_t> ranks;
   for (const VertexRef& vertex : graph_->vertices(edge)) {
     const detail::VertexPool& pool = *graph_->vertex_pools()[vertex.pool];
@@ -42,10 +60,13 @@ EdgeRole EdgeRoles::operator()(EdgeRef edge) const {
     ++vertices;
     const VertexRole role = role_of(*graph_, vertex);
     landmarks += role == VertexRole::kLandmark;
-    if (role == VertexRole::kPose) ranks.push_back(rank_.at(pool.id(vertex.slot)));
+    others += role == VertexRole::kOther;
+    if (role != VertexRole::kPose) continue;
+    if (const auto rank = rank_.find(pool.id(vertex.slot)); rank != rank_.end())
+      ranks.push_back(rank->second);
   }
   if (vertices == 1) return EdgeRole::kPrior;
-  if (landmarks > 0) return EdgeRole::kObservation;
+  if (landmarks > 0 || (others > 0 && ranks.size() == 1)) return EdgeRole::kObservation;
   if (ranks.size() < 2) return EdgeRole::kOther;
   const auto [first, last] = std::minmax_element(ranks.begin(), ranks.end());
   return *last - *first < ranks.size() ? EdgeRole::kOdometry : EdgeRole::kLoopClosure;

@@ -16,7 +16,7 @@ VertexRole role_of(const Graph& graph, VertexRef vertex);
 enum class EdgeRole : std::uint8_t {
   kOdometry,     ///< an edge between poses whose ids are next to each other among the ids of all poses
   kLoopClosure,  ///< an edge between other poses
-  kObservation,  ///< an edge with a landmark
+  kObservation,  ///< an edge with a landmark, or of one pose with something else, such as a plane
   kPrior,        ///< an edge with only one vertex
   kOther
 };
@@ -34,7 +34,9 @@ class EdgeRoles {
 
  private:
   const Graph* graph_;
-  std::unordered_map<Id, std::size_t> rank_;  ///< the position of each pose in the list sorted by id
+  /// The position of each pose of the trajectory in the list sorted by id. A pose that is always the last of
+  /// three or more vertices is that of a sensor on the robot.
+  std::unordered_map<Id, std::size_t> rank_;
 };
 
 }  // namespace boxplus::viewer

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/registry.h"
+#include "viewer/scene/estimate_text.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -65,12 +66,8 @@ std::optional<std::uint32_t> position_in(std::span<const std::uint32_t> slots, s
 }
 
 std::optional<std::uint32_t> line_of(const Structure& structure, EdgeRef edge) {
-  for (const LineGroup& group : structure.line_groups) {
-    if (group.pool != edge.pool) continue;
-    const auto slots = std::span(structure.line_edges).subspan(group.first, group.count);
-    if (const auto position = position_in(slots, edge.slot)) return group.first + *position;
-  }
-  return std::nullopt;
+  const Lines lines = lines_of(structure, edge);
+  return lines.count > 0 ? std::optional(lines.first) : std::nullopt;
 }
 
 /// What `write` writes, without blanks at the ends.
@@ -115,6 +112,18 @@ std::optional<std::uint32_t> number_of(const Structure& structure, VertexRef ver
     if (const auto position = position_in(group.slots, vertex.slot)) return group.first + *position;
   }
   return std::nullopt;
+}
+
+Lines lines_of(const Structure& structure, EdgeRef edge) {
+  for (const LineGroup& group : structure.line_groups) {
+    if (group.pool != edge.pool) continue;
+    const auto slots = std::span(structure.line_edges).subspan(group.first, group.count);
+    const auto [begin, end] = std::equal_range(slots.begin(), slots.end(), edge.slot);
+    if (begin != end)
+      return {group.first + static_cast<std::uint32_t>(begin - slots.begin()),
+              static_cast<std::uint32_t>(end - begin)};
+  }
+  return {};
 }
 
 std::uint64_t number_of(const Graph& graph, EdgeRef edge) {
@@ -170,6 +179,8 @@ VertexFacts facts_of(const Graph& graph, const Structure& structure, VertexRef v
   if (const Tag* tag = default_registry().tag_of(graph, vertex)) {
     facts.tag = tag->name;
     facts.estimate = written([&](FieldWriter& out) { tag->write_vertex(graph, vertex, out); });
+  } else {
+    facts.estimate = estimate_text(graph, vertex);
   }
   facts.is_fixed = graph.is_fixed(vertex);
   const auto directions = graph.fixed_directions(vertex);

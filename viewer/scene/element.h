@@ -57,7 +57,7 @@ struct VertexFacts {
   Id id;
   std::optional<std::uint32_t> number;  ///< if it is drawn
   std::string type, tag;                ///< the tag is "" if the type has none
-  std::string estimate;                 ///< as in a file with tags, or ""
+  std::string estimate;                 ///< as in a file with tags; without a tag, as estimate_text()
   bool is_fixed;
   std::vector<int> fixed_directions;
   std::size_t edge_count;
@@ -68,6 +68,12 @@ inline constexpr std::size_t kMostListed = 100;
 
 /// The number of a drawn vertex.
 std::optional<std::uint32_t> number_of(const Structure& structure, VertexRef vertex);
+/// The lines first, first + 1, … of an edge.
+struct Lines {
+  std::uint32_t first = 0, count = 0;
+};
+/// O(log n); none if the edge is not drawn.
+Lines lines_of(const Structure& structure, EdgeRef edge);
 /// The number of an edge: EdgeFacts::number.
 std::uint64_t number_of(const Graph& graph, EdgeRef edge);
 

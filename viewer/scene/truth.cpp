@@ -45,6 +45,18 @@ Place median_of(const std::vector<Place>& places) {
   return center;
 }
 
+/// "poses in the plane"
+const char* kind_of(const Trajectory& trajectory) {
+  switch (trajectory.dimension) {
+    case 2:
+      return "poses in the plane";
+    case 3:
+      return "poses in space";
+    default:
+      return "no poses";
+  }
+}
+
 }  // namespace
 
 struct Truth::Poses {
@@ -68,7 +80,16 @@ Truth& Truth::operator=(Truth&&) noexcept = default;
 
 void Truth::match(const Graph& graph, const GraphFile* file, const std::string& name) {
   const Trajectory poses = file != nullptr ? trajectory_of(*file, name) : trajectory_of(graph, name);
-  PosePairs matched = matched_poses(poses, poses_->trajectory, 0);
+  if (poses.dimension != poses_->trajectory.dimension) {
+    throw FileError(fmt::format("{}: expected a truth for {}, which has {}, but it has {}", facts_.name, name,
+                                kind_of(poses), kind_of(poses_->trajectory)));
+  }
+  PosePairs matched{{}, ""};
+  try {
+    matched = matched_poses(poses, poses_->trajectory, 0);
+  } catch (const InvalidArgument& mismatch) {
+    throw FileError(fmt::format("{}: {}", facts_.name, mismatch.what()));
+  }
   if (matched.pairs.empty()) {
     throw FileError(fmt::format("{}: expected poses that match {} by {}, found none", facts_.name, name,
                                 matched.matched_by));

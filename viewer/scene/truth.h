@@ -47,8 +47,9 @@ class Truth {
   Truth& operator=(Truth&&) noexcept;
 
   /// Finds the vertices of a graph that have a truth: poses as matched_poses() does, all others by id. Throws
-  /// FileError if no pose has one, and InvalidArgument as matched_poses() does. Messages call the graph
-  /// `name`. `file` is the file of the graph, or nullptr. Call it once, before all that follows.
+  /// FileError if no pose has one, if one has its poses in the plane and the other one in space, or if
+  /// matched_poses() refuses them. Messages call the graph `name`. `file` is the file of the graph, or
+  /// nullptr. Call it once, before all that follows.
   void match(const Graph& graph, const GraphFile* file, const std::string& name);
   const TruthFacts& facts() const { return facts_; }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "optimize/covariance_references.h"
+
 namespace boxplus::viewer {
 namespace {
 
@@ -20,14 +22,26 @@ std::vector<VertexRef> drawn_vertices(const Graph& graph, const Structure& struc
   return vertices;
 }
 
+/// "vertex 7", "the vertices 7 and 20", or "the vertices 1, 2, … and 5 more".
+std::string names_of(const Graph& graph, const std::vector<VertexRef>& vertices) {
+  constexpr std::size_t kMostNames = 12;
+  if (vertices.size() == 1) return fmt::format("vertex {}", graph.id(vertices.front()));
+  const std::size_t last = std::min(vertices.size() - 1, kMostNames);
+  std::string names = "the vertices ";
+  for (std::size_t k = 0; k < last; ++k)
+    names += fmt::format("{}{}", k == 0 ? "" : ", ", graph.id(vertices[k]));
+  if (last + 1 == vertices.size()) return names + fmt::format(" and {}", graph.id(vertices.back()));
+  return names + fmt::format(" and {} more", vertices.size() - last);
+}
+
 /// Says of which vertices the covariances are, and to which vertices they are relative.
-std::string note_on(const Graph& graph, const Covariance& covariance, std::size_t chosen, std::size_t drawn) {
+std::string note_on(const Graph& graph, const std::vector<VertexRef>& references, std::size_t chosen,
+                    std::size_t drawn) {
   std::string note =
       chosen < drawn ? fmt::format("covariances of {} positions, spread evenly over all {}", chosen, drawn)
                      : fmt::format("covariances of all {} positions", drawn);
-  const std::vector<VertexRef>& held = covariance.held();
-  if (!held.empty()) note += fmt::format(", relative to vertex {}", graph.id(held.front()));
-  if (held.size() > 1) note += fmt::format(" and {} more", held.size() - 1);
+  if (!references.empty()) note += ", relative to " + names_of(graph, references);
+  if (references.size() > 1) note += " of their parts of the graph";
   return note;
 }
 
@@ -57,9 +71,9 @@ Uncertainty read_uncertainty(const Graph& graph, const Structure& structure, con
   }
   Options options;
   options.stop = &stop;
-  const Covariance covariance = marginal_covariances(graph, chosen, options);
+  const auto [covariance, references] = referenced_covariances(graph, chosen, options);
   if (!covariance.ok()) return {.note = covariance.message()};
-  Uncertainty uncertainty{.note = note_on(graph, covariance, count, drawn.size()),
+  Uncertainty uncertainty{.note = note_on(graph, references, count, drawn.size()),
                           .vertices = std::move(numbers)};
   for (const VertexRef& vertex : chosen) {
     const Eigen::MatrixXd of_position = position_covariance(graph, vertex, covariance);

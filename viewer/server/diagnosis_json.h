@@ -10,7 +10,7 @@
 
 namespace boxplus::viewer {
 
-/// At most kMostFindings findings, each with at most kMostMarked vertices. O(n log n).
+/// At most kMostFindings findings, each with at most kMostMarked vertices and kMostMarked lines. O(n log n).
 std::string diagnosis_json(const Graph& graph, const Structure& structure, const Diagnosis& diagnosis,
                            std::uint64_t structure_number);
 

@@ -139,7 +139,8 @@ Message form_message(const std::vector<FormatName>& formats, std::span<const Set
   return make_message(MessageKind::kForm, form.dump());
 }
 
-Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number) {
+Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number,
+                          const Scans& scans) {
   Json vertices = Json::array(), edges = Json::array();
   for (const VertexGroup& group : structure.vertices) {
     vertices.push_back({{"name", group.name},
@@ -166,6 +167,11 @@ Message structure_message(const Structure& structure, std::uint64_t graph, std::
   message.add("edges", structure.lines);
   message.add("fixed", structure.fixed);
   if (structure.is_bundle) message.add("track_lengths", structure.track_lengths);
+  if (!scans.empty()) {
+    message.add("scan_vertices", scans.vertices);
+    message.add("scan_counts", scans.counts);
+    message.add("scan_points", scans.points);
+  }
   return message.make(MessageKind::kStructure);
 }
 

@@ -14,6 +14,7 @@
 #include "viewer/scene/errors.h"
 #include "viewer/scene/pattern.h"
 #include "viewer/scene/positions.h"
+#include "viewer/scene/scans.h"
 #include "viewer/scene/structure.h"
 #include "viewer/scene/truth.h"
 #include "viewer/scene/uncertainty.h"
@@ -21,7 +22,16 @@
 
 namespace boxplus::viewer {
 
-enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm, kPattern, kTruth };
+enum class MessageKind : std::uint32_t {
+  kHeartbeat,
+  kState,
+  kStructure,
+  kFrame,
+  kForm,
+  kPattern,
+  kTruth,
+  kDiagnosis
+};
 
 /// A message with its length and kind, as it is sent. Pages share it.
 using Message = std::shared_ptr<const std::string>;
@@ -37,8 +47,9 @@ using WhyUnsuitable = std::function<std::string(const Setting&, std::string_view
 Message form_message(const std::vector<FormatName>& formats, std::span<const Setting> settings,
                      const WhyUnsuitable& why_unsuitable);
 
-/// `graph` identifies the graph, and `number` the structure in later frames.
-Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number);
+/// `graph` identifies the graph, and `number` the structure in later frames. `scans` may be empty.
+Message structure_message(const Structure& structure, std::uint64_t graph, std::uint64_t number,
+                          const Scans& scans = {});
 
 struct FrameFacts {
   std::uint64_t structure = 0, sequence = 0;

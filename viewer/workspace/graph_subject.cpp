@@ -28,18 +28,27 @@ Outcome outcome_of(const Report& report) {
 }
 
 GraphSubject::GraphSubject(GraphFile file, std::string name)
-    : own_(std::move(file)), graph_(&own_->graph), file_(&*own_), name_(std::move(name)) {
+    : own_(std::move(file)),
+      graph_(&own_->graph),
+      file_(&*own_),
+      name_(std::move(name)),
+      scans_(*own_, name_) {
   structure_ = make_structure(*graph_);
 }
 
 GraphSubject::GraphSubject(Graph& graph, std::string name, const GraphFile* file)
     : graph_(&graph), file_(file), name_(std::move(name)) {
   structure_ = make_structure(*graph_);
+  if (file_ != nullptr) scans_ = ScansOfFile(*file_, name_);
 }
 
 Subject::Facts GraphSubject::facts() const {
-  return {name_, file_ != nullptr ? file_->format : "", graph_->vertex_count(), graph_->edge_count(),
-          structure_.dimension};
+  return {name_,
+          file_ != nullptr ? file_->format : "",
+          graph_->vertex_count(),
+          graph_->edge_count(),
+          structure_.dimension,
+          ""};
 }
 
 Message GraphSubject::form() const {
@@ -61,7 +70,7 @@ bool GraphSubject::update_structure() {
 }
 
 Message GraphSubject::structure(std::uint64_t graph, std::uint64_t number) const {
-  return structure_message(structure_, graph, number);
+  return structure_message(structure_, graph, number, scans_.of(*graph_, structure_));
 }
 
 Message GraphSubject::frame(const FrameFacts& facts, bool at_rest) const {
@@ -177,6 +186,7 @@ void GraphSubject::log_notes(Listener& listener) const {
   }
   if (file_->notes.size() > kMostNotes)
     listener.log("warning", fmt::format("… and {} more notes", file_->notes.size() - kMostNotes));
+  for (const std::string& note : scans_.notes()) listener.log("warning", note);
   if (structure_.left_out > 0) {
     listener.log("warning", fmt::format("{} lines are not drawn, because there are more than {}",
                                         structure_.left_out, Structure::kMostLines));

@@ -8,6 +8,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/optimizer.h"
+#include "viewer/scene/scans.h"
 #include "viewer/scene/truth.h"
 #include "viewer/settings/run_settings.h"
 #include "viewer/workspace/subject.h"
@@ -65,6 +66,7 @@ class GraphSubject final : public Subject {
   const GraphFile* file_;
   std::string name_;
   Structure structure_;
+  ScansOfFile scans_;
   std::optional<Truth> truth_;
   std::unique_ptr<Optimizer> optimizer_;
   bool has_kernels_ = false;

@@ -55,7 +55,20 @@ std::vector<Message> Workspace::Reader::wait(std::chrono::milliseconds patience)
   if (std::exchange(truth_, w.truth_number_) != w.truth_number_ && w.truth_message_)
     messages.push_back(w.truth_message_);
   if (std::exchange(frame_, w.sequence_) != w.sequence_) messages.push_back(w.frame_message_);
+  if (std::exchange(diagnosis_, w.diagnosis_number_) != w.diagnosis_number_ && w.diagnosis_message_)
+    messages.push_back(w.diagnosis_message_);
   return messages;
+}
+
+const char* Workspace::name_of(DiagnosisAge age) {
+  switch (age) {
+    case DiagnosisAge::kCurrent:
+      return "current";
+    case DiagnosisAge::kOtherEstimates:
+      return "other estimates";
+    default:
+      return "other graph";
+  }
 }
 
 std::string Workspace::Reader::state_json() const {
@@ -64,6 +77,10 @@ std::string Workspace::Reader::state_json() const {
   state["busy"] = w.is_busy_;
   state["activity"] = w.activity_;
   state["error"] = w.error_.empty() ? Json(nullptr) : Json(w.error_);
+  state["opens_no_files"] = w.opener_ ? Json(nullptr) : Json(kOpensNothing);
+  const std::string no_truth = w.opener_ ? (w.facts_ ? w.facts_->no_truth : "") : kOpensNothing;
+  state["opens_no_truth"] = no_truth.empty() ? Json(nullptr) : Json(no_truth);
+  state["diagnosis"] = w.diagnosis_message_ ? Json(name_of(w.diagnosis_age_)) : Json(nullptr);
   state["file"] = nullptr;
   if (w.facts_) {
     state["file"] = {{"name", w.facts_->name},

@@ -46,6 +46,7 @@ class Subject {
     std::string name, format;
     std::size_t vertices = 0, edges = 0;
     int dimension = 2;
+    std::string no_truth = {};  ///< why open_truth() always fails; empty if it does not
   };
 
   virtual ~Subject() = default;

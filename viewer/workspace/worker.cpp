@@ -104,6 +104,7 @@ void Workspace::replace(std::unique_ptr<Subject> subject) {
   const Message form = subject->form(), structure = subject->structure(graph, structure_number_ + 1);
   const Message truth = subject->truth(structure_number_ + 1);
   edits_ = 0;
+  set_diagnosis(nullptr);
   const std::unique_ptr<Subject> old = std::exchange(subject_, std::move(subject));
   {
     const std::lock_guard lock(mutex_);
@@ -124,6 +125,7 @@ void Workspace::replace(std::unique_ptr<Subject> subject) {
 /// The rows of a new run replace those of the last one.
 void Workspace::begin_run() {
   next_frame_ = {};
+  outdate_diagnosis(DiagnosisAge::kOtherEstimates);
   const std::lock_guard lock(mutex_);
   has_run_ = true;
   ++run_number_;
@@ -213,6 +215,7 @@ void Workspace::log(const char* level, std::string text) {
 
 void Workspace::update_structure() {
   if (!subject_->update_structure()) return;
+  outdate_diagnosis(DiagnosisAge::kOtherGraph);
   const Message form = subject_->form(),
                 structure = subject_->structure(graph_number_, structure_number_ + 1),
                 truth = subject_->truth(structure_number_ + 1);
@@ -227,6 +230,7 @@ void Workspace::update_structure() {
 
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
   update_structure();
+  outdate_diagnosis(DiagnosisAge::kOtherEstimates);
   frame_facts_ = {structure_number_, frame_facts_.sequence + 1, iteration, chi2};
   publish(subject_->frame(frame_facts_, at_rest));
 }
@@ -234,6 +238,19 @@ void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
 void Workspace::add_covariances() {
   ++frame_facts_.sequence;
   publish(subject_->uncertain_frame(frame_facts_, *this));
+}
+
+void Workspace::set_diagnosis(Message diagnosis) {
+  const std::lock_guard lock(mutex_);
+  diagnosis_message_ = std::move(diagnosis);
+  diagnosis_age_ = DiagnosisAge::kCurrent;
+  ++diagnosis_number_;
+}
+
+/// A graph that has changed does not become the one that was diagnosed again.
+void Workspace::outdate_diagnosis(DiagnosisAge age) {
+  const std::lock_guard lock(mutex_);
+  diagnosis_age_ = std::max(diagnosis_age_, age);
 }
 
 void Workspace::publish(Message frame) {

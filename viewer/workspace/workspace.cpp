@@ -9,7 +9,6 @@ namespace {
 constexpr const char* kBusy = "the viewer is busy: wait until the run ends, or stop it";
 constexpr const char* kHeld = "the graph is in the hands of its program";
 constexpr const char* kOutdated = "the graph has changed, so choose again";
-constexpr const char* kOpensNothing = "this viewer shows the graph of a program, and opens no files";
 constexpr const char* kNoGraph = "there is no graph: open a file first";
 
 }  // namespace
@@ -90,6 +89,7 @@ void Workspace::edit(std::uint64_t structure, const Edit& edit) {
     if (structure != structure_number_) throw InvalidArgument(kOutdated);
     log("info", subject_->edit(edit));
     ++edits_;
+    outdate_diagnosis(DiagnosisAge::kOtherGraph);
     update_structure();
     leave_run(subject_->chi2());
   });
@@ -105,7 +105,10 @@ std::string Workspace::describe(std::uint64_t structure, const ElementName& name
 
 std::string Workspace::diagnosis() {
   std::string diagnosis;
-  work_here(true, "diagnosing", [&] { diagnosis = subject_->diagnosis(structure_number_, stop_); });
+  work_here(true, "diagnosing", [&] {
+    diagnosis = subject_->diagnosis(structure_number_, stop_);
+    set_diagnosis(make_message(MessageKind::kDiagnosis, diagnosis));
+  });
   return diagnosis;
 }
 

@@ -83,8 +83,10 @@ class Workspace final : private Listener {
   /// element.
   std::string describe(std::uint64_t structure, const ElementName& name) const;
 
-  /// Returns what diagnose() finds at the current estimates, as JSON. Throws Busy while a command is carried
-  /// out, and InvalidArgument if there is no graph, if it cannot be diagnosed, or if it was stopped.
+  /// Returns what diagnose() finds at the current estimates, as JSON. All readers get it, too; it stays until
+  /// the next diagnosis, or until another graph is opened, and the state says if it is outdated. Throws Busy
+  /// while a command is carried out, and InvalidArgument if there is no graph, if it cannot be diagnosed, or
+  /// if it was stopped.
   std::string diagnosis();
 
   /// Returns where H and L have blocks. Throws Busy while a command is carried out, and InvalidArgument if
@@ -126,7 +128,8 @@ class Workspace final : private Listener {
 
     Workspace& workspace_;
     std::string greeting_;
-    std::uint64_t version_ = 0, structure_ = 0, truth_ = 0, frame_ = 0;  ///< the last that were returned
+    std::uint64_t version_ = 0, structure_ = 0, truth_ = 0, frame_ = 0,
+                  diagnosis_ = 0;  ///< the last that were returned
     int run_ = 0;
     std::size_t rows_ = 0, lines_ = 0;
   };
@@ -149,6 +152,12 @@ class Workspace final : private Listener {
 
   static constexpr const char* kRunning = "running";  ///< Outcome::status before the end of a run
 
+  static constexpr const char* kOpensNothing = "this viewer shows the graph of a program, and opens no files";
+
+  /// To what the last diagnosis belongs.
+  enum class DiagnosisAge : std::uint8_t { kCurrent, kOtherEstimates, kOtherGraph };
+
+  static const char* name_of(DiagnosisAge age);
   static const char* activity_of(Job::Kind kind);
   void claim(bool needs_graph);
   void work_here(bool needs_graph, const char* activity, const std::function<void()>& work);
@@ -170,6 +179,8 @@ class Workspace final : private Listener {
   void make_frame(int iteration, double chi2, bool at_rest);
   void add_covariances();
   void publish(Message frame);
+  void set_diagnosis(Message diagnosis);
+  void outdate_diagnosis(DiagnosisAge age);
 
   const Opener opener_;
 
@@ -188,8 +199,10 @@ class Workspace final : private Listener {
   Job job_;
   bool is_busy_ = false, is_held_ = false;
   const char* activity_ = "";
-  std::uint64_t version_ = 1, graph_number_ = 0, structure_number_ = 0, truth_number_ = 0, sequence_ = 0;
-  Message form_message_, structure_message_, truth_message_, frame_message_;
+  std::uint64_t version_ = 1, graph_number_ = 0, structure_number_ = 0, truth_number_ = 0, sequence_ = 0,
+                diagnosis_number_ = 0;
+  Message form_message_, structure_message_, truth_message_, frame_message_, diagnosis_message_;
+  DiagnosisAge diagnosis_age_ = DiagnosisAge::kCurrent;
   std::optional<Subject::Facts> facts_;
   std::string error_;
   double chi2_ = 0, chi2_initial_ = 0;

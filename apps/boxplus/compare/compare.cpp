@@ -45,6 +45,20 @@ struct CompareArguments {
   ReadOptions reading;
 };
 
+/// The RMSE of the ATE with a scale, if the result is of bundle adjustment, whose scale is free, and the
+/// scale makes a large difference. Otherwise negative.
+double much_lower_with_scale(const CompareArguments& arguments, const Trajectory& result,
+                             const std::vector<PosePair>& pairs, double rmse) {
+  const bool is_bundle =
+      result.source == TrajectorySource::kBal || result.source == TrajectorySource::kColmap;
+  constexpr std::size_t kFewest = 3;  // a scale always fits two positions
+  if (!is_bundle || pairs.size() < kFewest || arguments.scale || arguments.alignment != AlignmentKind::kRigid)
+    return -1;
+  const Alignment scaled = align_poses(pairs, result.dimension, AlignmentKind::kRigid, true);
+  const double scaled_rmse = absolute_error(pairs, scaled).rmse;
+  return scaled_rmse < 0.5 * rmse ? scaled_rmse : -1;
+}
+
 Comparison compare(const CompareArguments& arguments) {
   const Trajectory result = read_trajectory(arguments.result, arguments.reading);
   const Trajectory truth = read_trajectory(arguments.truth, arguments.reading);
@@ -66,6 +80,7 @@ Comparison compare(const CompareArguments& arguments) {
   comparison.alignment = align_poses(pairs, truth.dimension, arguments.alignment, arguments.scale);
   comparison.span = arguments.span;
   comparison.absolute = absolute_error(pairs, comparison.alignment);
+  comparison.scaled_rmse = much_lower_with_scale(arguments, result, pairs, comparison.absolute.rmse);
   comparison.relative = relative_error(pairs, comparison.alignment.scale, arguments.span);
   return comparison;
 }

@@ -65,12 +65,17 @@ std::string comparison_text(const Comparison& comparison) {
   table.add(row("ATE [m]", comparison.absolute, 1));
   table.add(row("RPE [m]", comparison.relative.translation, 1));
   table.add(row("RPE [deg]", comparison.relative.rotation, kDegree));
+  std::string hint;
+  if (comparison.scaled_rmse >= 0)
+    hint = fmt::format(
+        "The scale of bundle adjustment is free: with --scale, the RMSE of the ATE is {:.6g} m.\n",
+        comparison.scaled_rmse);
   return fmt::format(
       "{} against {}: {} of {} poses match {} of {} true poses by {}\n\n{}\n"
-      "ATE: errors of positions {}. RPE: errors of motions {}.\n",
+      "ATE: errors of positions {}. RPE: errors of motions {}.\n{}",
       escaped(comparison.result), escaped(comparison.truth), comparison.matched, comparison.result_poses,
       comparison.matched, comparison.truth_poses, comparison.matched_by, table.text(),
-      how_aligned(comparison), how_far_apart(comparison.span));
+      how_aligned(comparison), how_far_apart(comparison.span), hint);
 }
 
 std::string comparison_json(const Comparison& comparison) {

@@ -16,6 +16,7 @@ struct Comparison {
   Alignment alignment;
   RelativeSpan span;
   ErrorStatistics absolute;
+  double scaled_rmse = -1;  ///< of the ATE with --scale, if it is much lower; otherwise negative
   RelativeError relative;
 };
 

@@ -16,6 +16,7 @@
 #include "boxplus/io/registry.h"
 #include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
+#include "command_line/option_kinds.h"
 #include "files/outputs.h"
 
 namespace boxplus::app {
@@ -99,6 +100,38 @@ std::string complaint_about_renames(const std::string& text) {
   return {};
 }
 
+/// Says what the written file does not keep of a file that had it, because whoever reads it would, for
+/// example, use edges that were disabled.
+void note_what_is_lost(const std::string& path, const GraphFile& file, const std::string& format) {
+  const std::string name = path == kStandardStream ? "<stdout>" : path;
+  for (const std::string& loss : losses(path == kStandardStream ? "" : path, file, {.format = format}))
+    print_message(fmt::format("{}: the format does not keep {}", name, loss));
+  const FileFormats& formats = default_formats();
+  const FileFormat* const read = formats.find(file.format);
+  const FileFormat* written = format.empty() ? formats.of_path(path) : formats.find(format);
+  if (written == nullptr && format.empty() && (path.ends_with('/') || is_folder(path)))
+    written = formats.find("COLMAP");
+  if (written == nullptr) written = read;
+  if (read == nullptr || !read->keeps_everything || written->keeps_everything) return;
+  std::size_t disabled = 0, levels = 0, kernels = 0, directions = 0;
+  for (const EdgeRef& edge : file.graph.all_edges()) {
+    disabled += !file.graph.is_enabled(edge);
+    levels += file.graph.level(edge) != 0;
+    kernels += file.graph.kernel(edge) != nullptr;
+  }
+  for (const VertexRef& vertex : file.graph.all_vertices())
+    directions += !file.graph.fixed_directions(vertex).empty();
+  std::string lost;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) lost += fmt::format("{}{} {}", lost.empty() ? "" : ", ", count, what);
+  };
+  add(disabled, "edges are disabled");
+  add(levels, "edges have another level than 0");
+  add(kernels, "edges have kernels");
+  add(directions, "vertices have fixed directions");
+  if (!lost.empty()) print_message(fmt::format("{}: only JSON keeps that {}", name, lost));
+}
+
 }  // namespace
 
 std::string input_name(const std::string& path) {
@@ -117,6 +150,13 @@ void add_reading_options(CLI::App& command, ReadOptions& options) {
   command
       .add_flag("--lenient", options.lenient,
                 "Skip lines that cannot be read, and report their number and the first errors")
+      ->group("Reading");
+  const Choices<ReadOptions::Indefinite> policies = {{"refuse", ReadOptions::Indefinite::kRefuse},
+                                                     {"project", ReadOptions::Indefinite::kProject},
+                                                     {"as-given", ReadOptions::Indefinite::kAsGiven}};
+  add_choice(command, "--information", options.indefinite, policies,
+             "If an information matrix has a negative eigenvalue, refuse the file, use the nearest positive "
+             "semi-definite matrix, or use the matrix as given")
       ->group("Reading");
   const auto add_renames = [&options](const std::string& text) {
     for (const std::string& rename : CLI::detail::split(text, ',')) {
@@ -179,6 +219,7 @@ void require_representable(const std::string& path, const GraphFile& file) {
 }
 
 void save_graph(const std::string& path, const GraphFile& file, const std::string& format) {
+  note_what_is_lost(path, file, format);
   if (path == kStandardStream) {
     write_output(path, format_graph(file, {.format = format}));
   } else {

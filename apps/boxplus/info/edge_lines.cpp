@@ -2,6 +2,7 @@
 #include "info/edge_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "boxplus/io/registry.h"
@@ -9,10 +10,18 @@
 namespace boxplus::app {
 namespace {
 
-bool begins_edge(std::string_view line, const ReadOptions& reading) {
+/// Whether the tag is that of a measurement of iSAM.
+bool is_isam_edge(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kTags{"ODOMETRY",  "EDGE2", "LANDMARK",
+                                                  "ODOMETRY3", "EDGE3", "POINT3"};
+  return std::find(kTags.begin(), kTags.end(), name) != kTags.end();
+}
+
+bool begins_edge(std::string_view line, const GraphFile& file, const ReadOptions& reading) {
   FieldReader in("", 0, line);
   if (in.at_end()) return false;
   const std::string_view name = in.token("a tag");
+  if (file.format == "iSAM") return is_isam_edge(name);
   const auto renamed = reading.renames.find(name);
   const Tag* tag = default_registry().find(renamed == reading.renames.end() ? name : renamed->second);
   return tag && tag->kind == Tag::Kind::kEdge;
@@ -56,7 +65,7 @@ std::vector<std::int64_t> find_edge_lines(std::string_view text, const GraphFile
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     ++number;
-    if (begins_edge(text.substr(begin, end - begin), reading) && !skipped.contains(number))
+    if (begins_edge(text.substr(begin, end - begin), file, reading) && !skipped.contains(number))
       lines.push_back(number);
     begin = end + 1;
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "boxplus/io/data.h"
 #include "boxplus/io/registry.h"
 #include "boxplus/linearize/plan.h"
 #include "info/components.h"
@@ -126,6 +127,7 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   facts.vertices = graph.vertex_count();
   facts.parameters = graph.parameter_count();
   facts.edges = graph.edge_count();
+  facts.indefinite = static_cast<std::size_t>(file.indefinite);
   facts.chi2 = graph.chi2();
   const Plan plan = make_plan(graph, {});
   find_vertex_types(graph, plan, facts);
@@ -140,6 +142,9 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   find_edge_types(graph, edges, facts);
   find_worst(std::move(edges), worst, facts);
   find_components(graph, plan, role, facts);
+  for (const GraphFile::KeptLine& line : file.kept) {
+    if (const std::string_view tag = data_tag_of(line.text); !tag.empty()) ++facts.data[std::string(tag)];
+  }
   return facts;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,12 +75,15 @@ struct GraphFacts {
   std::vector<Id> isolated;                             ///< the ids of the vertices without edges
   std::vector<EdgeFacts> worst;  ///< the edges with the largest chi2, the worst one first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
+  bool keeps_indefinite = false;  ///< they are used as given
+  std::size_t indefinite = 0;     ///< edges whose Ω is indefinite in the file
   double chi2 = 0;
   viewer::KernelFacts kernel;  ///< the kernel of the command line; chi2 and `worst` are computed without it
   std::size_t rejected = 0;    ///< edges to which this kernel gives a weight below Report::kRejectedWeight
   int dimension = 0;           ///< the dimension of the world; 0 if no vertex has a position
   std::array<double, 3> extent{};  ///< the size of the box that contains all positions, in meters
   std::optional<DiagnosisFacts> diagnosis;
+  std::map<std::string, std::size_t> data;  ///< the number of lines of data with each tag
 };
 
 /// Finds all facts. `edge_lines` is the result of find_edge_lines(); `worst` is the number of edges to list.

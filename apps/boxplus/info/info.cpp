@@ -13,6 +13,7 @@
 #include "files/outputs.h"
 #include "info/edge_lines.h"
 #include "info/info_text.h"
+#include "info/matrix_file.h"
 #include "optimize/optimize_options.h"
 #include "optimize/optimize_run.h"
 
@@ -20,10 +21,10 @@ namespace boxplus::app {
 namespace {
 
 struct InfoArguments : viewer::RunSettings {
-  std::string input, json;
+  std::string input, json, matrix;
   std::size_t worst = 5;
   bool diagnose = false;
-  ReadOptions reading;
+  ReadOptions reading{.indefinite = ReadOptions::Indefinite::kProject};
 };
 
 /// Sets the kernel on its edges, and counts the edges that it rejects.
@@ -35,8 +36,8 @@ void try_kernel(Graph& graph, const viewer::RunSettings& settings, GraphFacts& f
 }
 
 int describe_file(const InfoArguments& arguments) {
-  const std::vector<Output> outputs{{"--json", arguments.json}};
-  refuse_to_replace(outputs.front(), {arguments.input});
+  const std::vector<Output> outputs{{"--json", arguments.json}, {"--matrix", arguments.matrix}};
+  for (const Output& output : outputs) refuse_to_replace(output, {arguments.input});
   check_outputs(outputs);
   const std::string text = read_text(arguments.input);
   GraphFile file = parse_input(text, arguments.input, arguments.reading);
@@ -44,8 +45,10 @@ int describe_file(const InfoArguments& arguments) {
   const std::string name = input_name(arguments.input);
   const std::vector<std::int64_t> edge_lines = find_edge_lines(text, file, arguments.reading);
   GraphFacts facts = find_facts(file, edge_lines, arguments.worst);
+  facts.keeps_indefinite = arguments.reading.indefinite == ReadOptions::Indefinite::kAsGiven;
   try_kernel(file.graph, arguments, facts);
   if (arguments.diagnose) facts.diagnosis = find_diagnosis(file, edge_lines);
+  if (!arguments.matrix.empty()) write_output(arguments.matrix, matrix_text(file.graph, arguments.matrix));
   if (!arguments.json.empty()) write_output(arguments.json, facts_json(facts, file, name));
   if (!takes_stdout(outputs)) fmt::print("{}", facts_text(facts, name));
   return kSuccess;
@@ -72,6 +75,14 @@ void add_info(CLI::App& app, Action& action) {
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
+  command
+      ->add_option(
+          "--matrix", arguments->matrix,
+          "Where to write the matrix H of the normal equations: a name with .mtx is Matrix Market, any "
+          "other is Octave text")
+      ->check(file_name())
+      ->type_name("FILE")
+      ->group("Output");
   add_robust_options(*command, *arguments);
   add_reading_options(*command, arguments->reading);
   command->footer(
@@ -80,9 +91,13 @@ void add_info(CLI::App& app, Action& action) {
       "  boxplus info graph.g2o --json - | jq .chi2\n"
       "  boxplus info graph.g2o --diagnose\n"
       "  boxplus info graph.g2o --kernel Tukey --kernel-on loop-closures\n"
+      "  boxplus info graph.g2o --matrix H.mtx\n"
       "\n"
       "--diagnose examines the estimates of the file: before a run, or the result of a run.\n"
       "docs/diagnosis.md explains each finding.\n"
+      "\n"
+      "--matrix writes H = JᵀΩJ at the estimates of the file, with the weights of --kernel. Each vertex\n"
+      "that is not fixed has a block of rows; comments in the file name its vertex (docs/formats.md).\n"
       "\n"
       "With --kernel, it counts the edges that the kernel rejects at the estimates of the file. chi2 is\n"
       "computed without the kernel.");

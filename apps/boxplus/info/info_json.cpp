@@ -150,8 +150,10 @@ std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std
                      {"isolated", facts.isolated},
                      {"worst_edges", worst},
                      {"diagnosis", diagnosis_json(facts, file.graph)},
+                     {"data", facts.data},
                      {"kept_lines", file.kept.size()},
                      {"skipped_lines", file.skipped},
+                     {"indefinite_edges", file.indefinite},
                      {"notes", notes_json(file)}};
   // Tags and notes may contain text from the file, so bytes that are not valid UTF-8 are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

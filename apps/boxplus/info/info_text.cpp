@@ -62,6 +62,12 @@ std::string edges_text(const GraphFacts& facts) {
   return with_kinds(facts.edges, kinds);
 }
 
+std::string data_text(const GraphFacts& facts) {
+  std::vector<std::string> parts;
+  for (const auto& [tag, count] : facts.data) parts.push_back(fmt::format("{} {}", count, tag));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string extent_text(const GraphFacts& facts) {
   std::string text;
   for (int axis = 0; axis < facts.dimension; ++axis)
@@ -85,8 +91,16 @@ std::string summary_text(const GraphFacts& facts) {
   std::string text = fact("vertices", vertices_text(facts));
   if (facts.parameters > 0) text += fact("parameters", fmt::format("{}", facts.parameters));
   text += fact("edges", edges_text(facts));
+  if (!facts.data.empty()) text += fact("data", data_text(facts));
   text += fact("unknowns", fmt::format("{}  against {} rows of error", facts.unknowns, facts.rows));
   if (facts.dimension > 0) text += fact("extent", extent_text(facts));
+  if (facts.indefinite > 0) {
+    text +=
+        fact("indefinite", fmt::format("{} of {} information matrices; chi2 is computed with {}",
+                                       facts.indefinite, facts.edges,
+                                       facts.keeps_indefinite ? "them, and may be negative"
+                                                              : "the nearest positive semi-definite ones"));
+  }
   text += fact("chi2", chi2_text(facts));
   if (!facts.kernel.name.empty()) {
     text +=

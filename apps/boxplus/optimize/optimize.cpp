@@ -57,6 +57,16 @@ void require_edges(const GraphFile& file, const std::string& path) {
     throw InputError(input_name(path), file.lines + 1, 1, "expected an edge, got the end of the file");
 }
 
+/// Certifies a converged result, and the better one if there is one.
+void certify_result(Graph& graph, const OptimizeArguments& arguments, const Report& report, RunFacts& facts,
+                    Progress& progress) {
+  if (!arguments.certify || !report.converged()) return;
+  facts.certificate = run_certify(graph, arguments, report.time.total_s, progress);
+  if (facts.certificate->verdict != Certificate::Verdict::kLocalMinimum) return;
+  const double spent_s = report.time.total_s + facts.certificate->time_s;
+  facts.of_better = run_certify(graph, arguments, spent_s, progress);
+}
+
 int optimize_file(const OptimizeArguments& arguments) {
   check_outputs(outputs_of(arguments));
   refuse_to_replace({"--json", arguments.json}, {arguments.input});
@@ -71,20 +81,25 @@ int optimize_file(const OptimizeArguments& arguments) {
   print_notes(file, arguments.input);
   require_edges(file, arguments.input);
   require_representable(arguments.output, file);
+  if (arguments.certify) require_certifiable(file.graph, arguments);
   RunFacts facts;
   facts.input = input_name(arguments.input);
   facts.edges = file.graph.edge_count();
   facts.skipped_lines = file.skipped;
+  facts.indefinite_edges = file.indefinite;
   facts.load_s = seconds_since(begin);
+  set_pixel_sigma(file.graph, arguments);
   facts.kernel = set_kernels(file.graph, arguments);
 
   const Interrupt interrupt;
   std::optional<LiveView> view;
   if (arguments.view) view.emplace(file, arguments.input, arguments);
-  if (arguments.find_outliers) facts.outliers = run_find_outliers(file.graph, arguments, progress);
-  const Report report = facts.outliers
-                            ? facts.outliers->report
-                            : run_optimize(file.graph, arguments, progress, view ? &*view : nullptr);
+  if (arguments.suspects) facts.outliers = run_find_outliers(file.graph, arguments, progress);
+  Report report = facts.outliers ? facts.outliers->report
+                                 : run_optimize(file.graph, arguments, progress, view ? &*view : nullptr);
+  if (file.indefinite > 0 && arguments.reading.indefinite == ReadOptions::Indefinite::kAsGiven)
+    doubt_indefinite(file.graph, arguments, report);
+  certify_result(file.graph, arguments, report, facts, progress);
   if (arguments.remove_outliers && facts.outliers) remove_outliers(file.graph, *facts.outliers);
   if (!arguments.output.empty()) save_graph(arguments.output, file);
   facts.total_s = seconds_since(begin);
@@ -94,8 +109,10 @@ int optimize_file(const OptimizeArguments& arguments) {
   }
   if (!arguments.quiet) print_report(report, facts, arguments);
   print_why_stopped(report, arguments);
+  // Ctrl-C may have ended the certificate.
+  const bool is_cut_short = report.converged() && Interrupt::flag()->load();
   if (view) view->serve(report, exit_code(report.status));
-  return exit_code(report.status);
+  return is_cut_short ? kNotConverged : exit_code(report.status);
 }
 
 }  // namespace
@@ -110,6 +127,8 @@ void add_optimize(CLI::App& app, Action& action) {
       "  boxplus optimize graph.g2o -o optimized.g2o\n"
       "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
       "  boxplus optimize graph.g2o -o clean.g2o --outliers loop-closures --remove-outliers\n"
+      "  boxplus optimize graph.g2o -o optimized.g2o --certify\n"
+      "  boxplus optimize scene.bal -o clean.bal --outliers all --remove-outliers\n"
       "\n"
       "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.\n"
       "Ctrl-C stops as soon as possible, writes the best estimate so far, and exits with code 1.\n"

@@ -90,17 +90,51 @@ void add_problem_options(CLI::App& command, OptimizeArguments& arguments) {
                 "Move only these vertices; all others keep their estimates");
 }
 
+void add_bundle_options(CLI::App& command, OptimizeArguments& arguments) {
+  std::vector<std::string_view> names;
+  for (const BundlePart part : bundle_parts()) names.push_back(to_string(part));
+  const std::string known = fmt::format(" (of {})", fmt::join(names, ", "));
+  const auto complaint = [known](const std::string& words) {
+    for (const std::string& word : CLI::detail::split(words, ',')) {
+      if (!find_bundle_part(word)) return fmt::format("expected parts{}, got '{}'", known, word);
+    }
+    return std::string();
+  };
+  const auto add = [&](const char* option, std::vector<BundlePart>& parts, const std::string& text) {
+    const auto set = [&parts](const std::string& words) {
+      for (const std::string& word : CLI::detail::split(words, ',')) parts.push_back(*find_bundle_part(word));
+    };
+    command.add_option_function<std::string>(option, set, text + known)
+        ->check(CLI::Validator(complaint, ""))
+        ->join(',')
+        ->type_name("PART,...")
+        ->group("Bundle adjustment");
+  };
+  add("--hold", arguments.held, "Hold these parts at their estimates in this run");
+  add("--free", arguments.freed,
+      "Free these parts in this run, such as the principal points of COLMAP's cameras, which are held "
+      "unless they are named here");
+  command
+      .add_option("--pixel-sigma", arguments.pixel_sigma,
+                  "The standard deviation of each coordinate of a pixel: Ω = I / σ² for all reprojection "
+                  "errors, so that chi2 per degree of freedom is about 1")
+      ->check(number_above(0))
+      ->type_name("PIXELS")
+      ->group("Bundle adjustment");
+}
+
 void add_outlier_options(CLI::App& command, OptimizeArguments& arguments) {
   const auto set = [&arguments](const std::string& text) {
-    arguments.find_outliers = text == "loop-closures";
+    if (text != "none") arguments.suspects = text == "all" ? Suspects::kAll : Suspects::kLoopClosures;
   };
   CLI::Option* outliers =
       command
-          .add_option_function<std::string>(
-              "--outliers", set,
-              "Find false edges, and optimize without them. Begins with the odometry, not with --start; loop "
-              "closures are edges between poses whose ids are not consecutive")
-          ->check(CLI::IsMember({"none", "loop-closures"}))
+          .add_option_function<std::string>("--outliers", set,
+                                            "Find false edges, and optimize without them: among the loop "
+                                            "closures (edges between poses whose ids are not "
+                                            "consecutive) or among all edges. Begins with the odometry, if "
+                                            "there is any, not with --start")
+          ->check(CLI::IsMember({"none", "loop-closures", "all"}))
           ->type_name("NAME")
           ->default_str("none")
           ->group("Outliers");
@@ -126,6 +160,17 @@ void add_view_options(CLI::App& command, OptimizeArguments& arguments) {
   add_serving_options(command, arguments, view);
 }
 
+void add_certify_option(CLI::App& command, OptimizeArguments& arguments) {
+  CLI::Option* certify =
+      command.add_flag("--certify", arguments.certify,
+                       "Prove that the minimum of a pose graph is global, or look for a better one, which "
+                       "becomes the result (see docs/certificate.md)");
+  certify->group("Method");
+  for (const char* other :
+       {"--kernel", "--only-vertices", "--fix", "--hold", "--free", "--outliers", "--view"})
+    certify->excludes(command.get_option(other));
+}
+
 }  // namespace
 
 void add_robust_options(CLI::App& command, viewer::RunSettings& settings) {
@@ -137,9 +182,11 @@ void add_optimize_options(CLI::App& command, OptimizeArguments& arguments) {
   add_settings(command, "Method", arguments);
   add_robust_options(command, arguments);
   add_problem_options(command, arguments);
+  add_bundle_options(command, arguments);
   add_settings(command, "Stop", arguments);
   add_view_options(command, arguments);
   add_outlier_options(command, arguments);
+  add_certify_option(command, arguments);
   add_reading_options(command, arguments.reading);
 }
 

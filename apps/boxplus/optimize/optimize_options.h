@@ -2,10 +2,13 @@
 // The options of `boxplus optimize`.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/outliers.h"
+#include "boxplus/types/ba/bundle_parts.h"
 #include "command_line/id_ranges.h"
 #include "view/serving.h"
 #include "viewer/settings/run_settings.h"
@@ -22,10 +25,13 @@ void add_robust_options(CLI::App& command, viewer::RunSettings& settings);
 struct OptimizeArguments : viewer::RunSettings, ServingArguments {
   std::string input, output, json, outlier_list;
   bool quiet = false, verbose = false, view = false;
-  bool find_outliers = false;    ///< --outliers loop-closures
-  bool remove_outliers = false;  ///< leave the outliers out of the output
+  std::optional<Suspects> suspects;  ///< of --outliers
+  bool remove_outliers = false;      ///< leave the outliers out of the output
+  bool certify = false;              ///< decide whether the minimum is global
   ReadOptions reading;
   std::vector<IdRange> fixed, moving;
+  std::vector<BundlePart> held, freed;  ///< of bundle adjustment
+  double pixel_sigma = 0;               ///< 0: Ω stays as it is
 };
 
 /// Adds all options of the command. They set `arguments`, which must outlive the command.

@@ -47,6 +47,8 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
     text += fmt::format("\n{}; chi2 is computed with the kernel.\n", kernel_text(facts.kernel, facts.edges));
   }
   if (facts.outliers) text += "\n" + outliers_text(*facts.outliers);
+  if (facts.certificate) text += fmt::format("\n{}\n", to_string(*facts.certificate));
+  if (facts.of_better) text += fmt::format("The better one is the result. {}\n", to_string(*facts.of_better));
   if (facts.skipped_lines > 0)
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,
                         facts.skipped_lines == 1 ? "" : "s", facts.skipped_lines == 1 ? "was" : "were");

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/optimize_run.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "boxplus/base/error.h"
+#include "boxplus/optimize/diagnose.h"
 #include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
 #include "optimize/interrupt.h"
@@ -8,29 +15,70 @@
 namespace boxplus::app {
 namespace {
 
-/// Fixes vertices for one run, and releases them afterwards. Vertices that were fixed before, by FIX lines of
-/// the file, stay fixed.
+void hold_all(Graph& graph, const std::vector<BundlePart>& parts, bool held) {
+  for (const BundlePart part : parts) {
+    if (hold(graph, part, held) == 0)
+      throw InvalidArgument(fmt::format("{}: expected a graph of bundle adjustment with {}, got another one",
+                                        held ? "--hold" : "--free", to_string(part)));
+  }
+}
+
+/// Carries out --fix, --hold and --free for one run. Afterwards, vertices are as fixed as before, by FIX
+/// lines of the file.
 class FixForRun {
  public:
-  FixForRun(Graph& graph, const std::vector<VertexRef>& vertices) : graph_(graph) {
-    for (const VertexRef& vertex : vertices) {
-      if (graph.is_fixed(vertex)) continue;
-      graph.fix(vertex);
-      fixed_.push_back(vertex);
+  FixForRun(Graph& graph, const OptimizeArguments& arguments) : graph_(graph) {
+    const std::vector<VertexRef> fixed = find_vertices(graph, arguments.fixed, "--fix");
+    if (fixed.empty() && arguments.held.empty() && arguments.freed.empty()) return;
+    for (const auto& vertices : {graph.all_parameters(), graph.all_vertices()}) {
+      for (const VertexRef& vertex : vertices) {
+        const std::span<const int> directions = graph.fixed_directions(vertex);
+        before_.push_back({vertex, graph.is_fixed(vertex), {directions.begin(), directions.end()}});
+      }
     }
+    for (const BundlePart part : arguments.held) {
+      if (std::ranges::count(arguments.freed, part) > 0)
+        throw InvalidArgument(
+            fmt::format("--hold and --free: expected different parts, got {} in both", to_string(part)));
+    }
+    try {
+      hold_all(graph, arguments.freed, false);
+      hold_all(graph, arguments.held, true);
+    } catch (...) {
+      restore();
+      throw;
+    }
+    for (const VertexRef& vertex : fixed) graph.fix(vertex);
   }
-  ~FixForRun() {
-    for (const VertexRef& vertex : fixed_) graph_.unfix(vertex);
-  }
+  ~FixForRun() { restore(); }
   FixForRun(const FixForRun&) = delete;
   FixForRun& operator=(const FixForRun&) = delete;
 
  private:
+  struct Before {
+    VertexRef vertex;
+    bool is_fixed;
+    std::vector<int> directions;
+  };
+
+  void restore() {
+    for (const Before& before : before_) {
+      graph_.set_fixed(before.vertex, before.is_fixed);
+      graph_.fix_directions(before.vertex, before.directions);
+    }
+  }
+
   Graph& graph_;
-  std::vector<VertexRef> fixed_;
+  std::vector<Before> before_;
 };
 
 }  // namespace
+
+void set_pixel_sigma(Graph& graph, const OptimizeArguments& arguments) {
+  if (arguments.pixel_sigma == 0) return;
+  if (set_pixel_sigma(graph, arguments.pixel_sigma) == 0)
+    throw InvalidArgument("--pixel-sigma: expected a graph with reprojection errors, got one without");
+}
 
 viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& settings) {
   if (settings.kernel.empty()) return {};
@@ -38,6 +86,20 @@ viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& setting
   if (facts.edges == 0 && settings.kernel_scope == viewer::KernelScope::kLoopClosures)
     print_message("the graph has no loop closures, so no edge gets the kernel");
   return facts;
+}
+
+void doubt_indefinite(const Graph& graph, const OptimizeArguments& arguments, Report& report) {
+  if (!report.converged()) return;
+  Options options = arguments.options;
+  options.vertices = find_vertices(graph, arguments.moving, "--only-vertices");
+  const std::vector<VertexRef> any = options.vertices.empty() ? graph.all_vertices() : options.vertices;
+  const bool has_minimum = covariance(graph, {any.front()}, options).ok();
+  if (has_minimum && diagnose(graph, options).at_minimum) return;
+  report.status = Report::Status::kNotConverged;
+  report.reason = Report::Reason::kNoStepFound;
+  report.message =
+      has_minimum ? "an information matrix is indefinite, and the estimates are not at a minimum"
+                  : "an information matrix is indefinite, and so is the Hessian: there is no minimum here";
 }
 
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress, LiveView* view) {
@@ -48,7 +110,7 @@ Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& 
     progress.iteration(record);
     return view == nullptr || view->watch(record);
   };
-  const FixForRun fixed(graph, find_vertices(graph, arguments.fixed, "--fix"));
+  const FixForRun fixed(graph, arguments);
   progress.stage("preparing …");
   Report report = optimize(graph, options);
   progress.erase();
@@ -58,16 +120,33 @@ Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& 
 OutlierReport run_find_outliers(Graph& graph, const OptimizeArguments& arguments, Progress& progress) {
   OutlierOptions options;
   options.options = arguments.options;
+  options.suspects = *arguments.suspects;
   options.options.stop = Interrupt::flag();
   options.options.callback = [&progress](const IterationRecord& record) {
     progress.iteration(record);
     return true;
   };
-  const FixForRun fixed(graph, find_vertices(graph, arguments.fixed, "--fix"));
+  const FixForRun fixed(graph, arguments);
   progress.stage("finding outliers …");
   OutlierReport found = find_outliers(graph, options);
   progress.erase();
   return found;
+}
+
+void require_certifiable(const Graph& graph, const OptimizeArguments& arguments) {
+  const std::string obstacle = why_not_certifiable(graph, arguments.options);
+  if (!obstacle.empty())
+    throw InvalidArgument("--certify: expected a graph of relative poses, but " + obstacle);
+}
+
+Certificate run_certify(Graph& graph, const OptimizeArguments& arguments, double run_s, Progress& progress) {
+  CertificateOptions options{.options = arguments.options};
+  options.options.stop = Interrupt::flag();
+  options.options.time_limit_s = std::max(0.0, options.options.time_limit_s - run_s);
+  progress.stage("certifying …");
+  Certificate certificate = certify(graph, options);
+  progress.erase();
+  return certificate;
 }
 
 }  // namespace boxplus::app

@@ -2,6 +2,7 @@
 // The work of `boxplus optimize` after reading the graph and before writing the result.
 #pragma once
 
+#include "boxplus/optimize/certificate.h"
 #include "boxplus/optimize/outliers.h"
 #include "optimize/optimize_options.h"
 #include "optimize/progress.h"
@@ -10,6 +11,11 @@
 
 namespace boxplus::app {
 
+/// Some Ω are indefinite. If the result is not at a minimum, says so in the report, which is then not
+/// converged.
+void doubt_indefinite(const Graph& graph, const OptimizeArguments& arguments, Report& report);
+/// Carries out --pixel-sigma. Throws InvalidArgument if there are no reprojection errors.
+void set_pixel_sigma(Graph& graph, const OptimizeArguments& arguments);
 /// Sets the requested robust kernel on the chosen edges. Returns the facts about the kernel for the report.
 viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& settings);
 
@@ -19,5 +25,12 @@ Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& 
 
 /// Does the same, but finds the false loop closures, and optimizes without them.
 OutlierReport run_find_outliers(Graph& graph, const OptimizeArguments& arguments, Progress& progress);
+
+/// Throws InvalidArgument if the graph cannot be certified.
+void require_certifiable(const Graph& graph, const OptimizeArguments& arguments);
+
+/// Certifies the result of a run that took `run_s` of the time limit. If there is a better minimum, the graph
+/// gets it.
+Certificate run_certify(Graph& graph, const OptimizeArguments& arguments, double run_s, Progress& progress);
 
 }  // namespace boxplus::app

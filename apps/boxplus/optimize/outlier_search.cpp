@@ -8,10 +8,12 @@ namespace boxplus::app {
 std::string outliers_text(const OutlierReport& found) {
   const std::size_t all = found.verdicts.size(), outliers = found.count(Verdict::kOutlier),
                     undecided = found.count(Verdict::kUndecided);
-  std::string text = fmt::format("{} of {} loop closure{} {} false", outliers, all, all == 1 ? "" : "s",
+  const char* const kind = found.suspects == Suspects::kAll ? "edge" : "loop closure";
+  std::string text = fmt::format("{} of {} {}{} {} false", outliers, all, kind, all == 1 ? "" : "s",
                                  outliers == 1 ? "is" : "are");
   if (undecided > 0) text += fmt::format(", and {} {} undecided", undecided, undecided == 1 ? "is" : "are");
-  text += "; the report is about the others and all other edges.\n";
+  text += found.suspects == Suspects::kAll ? "; the report is about the edges that fit.\n"
+                                           : "; the report is about the others and all other edges.\n";
   if (!found.note.empty()) text += fmt::format("Note: {}.\n", found.note);
   return text;
 }
@@ -26,7 +28,10 @@ std::string outliers_list(const OutlierReport& found) {
 }
 
 void remove_outliers(Graph& graph, const OutlierReport& found) {
-  for (const EdgeRef& edge : found.edges(Verdict::kOutlier)) graph.remove(edge);
+  const bool removes_undecided = found.suspects == Suspects::kAll;
+  for (const EdgeVerdict& edge : found.verdicts) {
+    if (edge.verdict == Verdict::kOutlier || (removes_undecided && edge.weight == 0)) graph.remove(edge.edge);
+  }
 }
 
 }  // namespace boxplus::app

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "boxplus/linear/instruction_set.h"
+#include "boxplus/optimize/diagnose.h"
 
 namespace boxplus::app {
 namespace {
@@ -65,21 +66,39 @@ Json kernel_json(const viewer::KernelFacts& kernel) {
 
 Json outliers_json(const std::optional<OutlierReport>& found) {
   if (!found) return nullptr;
-  Json closures = Json::array();
+  Json edges = Json::array();
   for (const EdgeVerdict& edge : found->verdicts) {
-    closures.push_back({{"from", edge.from},
-                        {"to", edge.to},
-                        {"verdict", to_string(edge.verdict)},
-                        {"weight", edge.weight},
-                        {"chi2", edge.chi2},
-                        {"supported", edge.supported}});
+    edges.push_back({{"from", edge.from},
+                     {"to", edge.to},
+                     {"verdict", to_string(edge.verdict)},
+                     {"weight", edge.weight},
+                     {"chi2", edge.chi2},
+                     {"supported", edge.supported}});
   }
   return {{"inliers", found->count(Verdict::kInlier)},
           {"outliers", found->count(Verdict::kOutlier)},
           {"undecided", found->count(Verdict::kUndecided)},
           {"noise_scale", found->noise_scale},
           {"note", found->note},
-          {"closures", closures}};
+          {found->suspects == Suspects::kAll ? "edges" : "closures", edges}};
+}
+
+Json certificate_json(const std::optional<Certificate>& certificate) {
+  if (!certificate) return nullptr;
+  const bool has_better = certificate->verdict == Certificate::Verdict::kLocalMinimum;
+  return {{"verdict", to_string(certificate->verdict)},
+          {"relation", to_string(certificate->relation)},
+          {"chi2", certificate->chi2},
+          {"better_chi2", has_better ? Json(certificate->better_chi2) : Json(nullptr)},
+          {"chordal_cost", certificate->chordal_cost},
+          {"bound", certificate->bound},
+          {"relative_gap", certificate->relative_gap()},
+          {"chi2_bound", certificate->chi2_bound()},
+          {"chi2_from_chordal", certificate->chi2_from_chordal},
+          {"steps", certificate->steps},
+          {"escapes", certificate->escapes},
+          {"note", unless_empty(certificate->note)},
+          {"time_s", certificate->time_s}};
 }
 
 Json rejection_json(const Report& report) {
@@ -104,6 +123,17 @@ Json time_json(const Report::Timings& time, const RunFacts& facts) {
   return {{"load", facts.load_s},     {"plan", time.plan_s},           {"start", time.start_s},
           {"optimize", time.total_s}, {"linearize", time.linearize_s}, {"factorize", time.factorize_s},
           {"solve", time.solve_s},    {"evaluate", time.evaluate_s},   {"total", facts.total_s}};
+}
+
+Json findings_json(const std::vector<Finding>& findings) {
+  Json result = Json::array();
+  for (const Finding& finding : findings) {
+    result.push_back({{"kind", to_string(finding.kind)},
+                      {"severity", to_string(finding.severity)},
+                      {"text", finding.text},
+                      {"vertices", finding.ids}});
+  }
+  return result;
 }
 
 Json records_json(const std::vector<IterationRecord>& records) {
@@ -137,7 +167,10 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"gauge", gauge_json(report.gauge)},
                      {"kernel", kernel_json(facts.kernel)},
                      {"rejection", rejection_json(report)},
+                     {"findings", findings_json(report.findings)},
                      {"outliers", outliers_json(facts.outliers)},
+                     {"certificate", certificate_json(facts.certificate)},
+                     {"certificate_of_better", certificate_json(facts.of_better)},
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
                      {"precision", to_string(report.linear.precision)},
@@ -151,6 +184,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"vertices", report.vertices},
                      {"edges", report.edges},
                      {"skipped_lines", facts.skipped_lines},
+                     {"indefinite_edges", facts.indefinite_edges},
                      {"scalars", report.scalars},
                      {"rows", report.rows},
                      {"degrees_of_freedom", report.degrees_of_freedom},

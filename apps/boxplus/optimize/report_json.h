@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "boxplus/optimize/certificate.h"
 #include "boxplus/optimize/outliers.h"
 #include "viewer/settings/run_settings.h"
 
@@ -15,8 +16,11 @@ struct RunFacts {
   std::string input;
   std::size_t edges = 0;  ///< the number of edges in the file
   std::int64_t skipped_lines = 0;
+  std::int64_t indefinite_edges = 0;
   viewer::KernelFacts kernel;
-  std::optional<OutlierReport> outliers;  ///< of --outliers
+  std::optional<OutlierReport> outliers;   ///< of --outliers
+  std::optional<Certificate> certificate;  ///< of --certify
+  std::optional<Certificate> of_better;    ///< of the better minimum that it has found
   double load_s = 0, total_s = 0;
 };
 

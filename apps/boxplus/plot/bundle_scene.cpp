@@ -33,8 +33,8 @@ std::array<double, 2> most_of(std::vector<double> values) {
 
 class BundleSceneMaker {
  public:
-  BundleSceneMaker(const Graph& graph, const View& view)
-      : graph_(graph), view_(view), directions_(view_directions(graph)) {}
+  BundleSceneMaker(const Graph& graph, const View& view, const TruePlaces& truth)
+      : graph_(graph), view_(view), truth_(truth), directions_(view_directions(graph)) {}
 
   Scene make() {
     for (const auto& pool : graph_.vertex_pools()) sums_.emplace_back(pool->slots());
@@ -57,6 +57,7 @@ class BundleSceneMaker {
   struct Camera {
     detail::Frame frame;
     int direction;
+    Id id;
   };
 
   void add_error(EdgeRef edge) {
@@ -76,7 +77,7 @@ class BundleSceneMaker {
     if (!is_near(frame.translation)) {
       ++scene_.hidden;
     } else if (frame.has_rotation) {
-      cameras_.push_back({frame, directions_[vertex.pool]});
+      cameras_.push_back({frame, directions_[vertex.pool], graph_.id(vertex)});
     } else {
       const Sum& sum = sums_[vertex.pool][vertex.slot];
       scene_.points.push_back({project(frame.translation, 3, view_), sum.chi2 / std::max(1.0, sum.rows)});
@@ -119,11 +120,16 @@ class BundleSceneMaker {
       for (std::size_t k = 0; k < corners.size(); ++k) mark.corners[k] = project(corners[k], 3, view_);
       mark.time = static_cast<double>(i) / last;
       scene_.cameras.push_back(mark);
+      const auto place = truth_.find(cameras_[i].id);
+      if (place != truth_.end())
+        scene_.segments.push_back(
+            {SegmentKind::kTruth, mark.corners[0], project(place->second, 3, view_), mark.time, 0});
     }
   }
 
   const Graph& graph_;
   const View& view_;
+  const TruePlaces& truth_;
   std::vector<int> directions_;         // by vertex pool
   std::vector<std::vector<Sum>> sums_;  // by vertex pool and slot
   std::vector<Camera> cameras_;         // in the order of ids
@@ -133,8 +139,8 @@ class BundleSceneMaker {
 
 }  // namespace
 
-Scene make_bundle_scene(const Graph& graph, std::string title, const View& view) {
-  Scene scene = BundleSceneMaker(graph, view).make();
+Scene make_bundle_scene(const Graph& graph, std::string title, const View& view, const TruePlaces& truth) {
+  Scene scene = BundleSceneMaker(graph, view, truth).make();
   scene.title = std::move(title);
   return scene;
 }

@@ -10,7 +10,8 @@
 namespace boxplus::app {
 
 /// Makes the scene of a graph of bundle adjustment. It encloses most points, so that a few distant points do
-/// not make everything else tiny. Points outside are left out and counted.
-Scene make_bundle_scene(const Graph& graph, std::string title, const View& view);
+/// not make everything else tiny. Points outside are left out and counted. A line joins each camera with its
+/// true place.
+Scene make_bundle_scene(const Graph& graph, std::string title, const View& view, const TruePlaces& truth);
 
 }  // namespace boxplus::app

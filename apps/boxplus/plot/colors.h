@@ -10,7 +10,8 @@
 
 namespace boxplus::app {
 
-inline constexpr Rgb kLandmarkColor{0x1e, 0x29, 0x3b}, kTruthColor{0xf2, 0xd0, 0x6b};
+inline constexpr Rgb kLandmarkColor{0x1e, 0x29, 0x3b}, kTruthColor{0xf2, 0xd0, 0x6b},
+    kScanColor{0x8b, 0x9d, 0xae};
 
 /// Returns the color at a time between the beginning (0) and the end (1) of the trajectory.
 Rgb trajectory_color(double time);

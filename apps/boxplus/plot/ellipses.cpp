@@ -57,15 +57,8 @@ std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std
   for (const VertexRef& vertex : vertices) {
     detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
-    const Eigen::MatrixXd P = to_picture(frame.dimension, view);
-    const Eigen::MatrixXd of_position = viewer::position_covariance(graph, vertex, covariance);
-    const SymmetricEigen axes = symmetric_eigen(P * of_position * P.transpose());
-    const auto half_axis = [&](int k) {
-      const Eigen::Vector2d v = std::sqrt(kChi2 * std::max(0.0, axes.values[k])) * axes.vectors.col(k);
-      return std::array{v[0], v[1]};
-    };
-    ellipses.push_back({project(frame.translation, frame.dimension, view), half_axis(1), half_axis(0),
-                        frame.has_rotation, static_cast<double>(poses)});
+    ellipses.push_back(ellipse_of(frame, viewer::position_covariance(graph, vertex, covariance), view,
+                                  static_cast<double>(poses)));
     poses += frame.has_rotation;
   }
   for (Ellipse& ellipse : ellipses) ellipse.time /= static_cast<double>(std::max<std::size_t>(2, poses) - 1);
@@ -73,6 +66,18 @@ std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std
 }
 
 }  // namespace
+
+Ellipse ellipse_of(const detail::Frame& frame, const Eigen::MatrixXd& covariance, const View& view,
+                   double time) {
+  const Eigen::MatrixXd P = to_picture(frame.dimension, view);
+  const SymmetricEigen axes = symmetric_eigen(P * covariance * P.transpose());
+  const auto half_axis = [&](int k) {
+    const Eigen::Vector2d v = std::sqrt(kChi2 * std::max(0.0, axes.values[k])) * axes.vectors.col(k);
+    return std::array{v[0], v[1]};
+  };
+  return {project(frame.translation, frame.dimension, view), half_axis(1), half_axis(0), frame.has_rotation,
+          time};
+}
 
 std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel) {
   constexpr double kLeast = 1.5, kGap = 10;  // in pixels
@@ -86,11 +91,9 @@ std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel)
   return kept;
 }
 
-void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name) {
+void enclose_ellipses(Scene& scene) {
   // The space for ellipses on each side, as a fraction of the size of the scene.
   constexpr double kMost = 0.25;
-  scene.has_ellipses = true;
-  scene.ellipses = ellipses_of(graph, view, name);
   const double room = kMost * std::max(scene.high[0] - scene.low[0], scene.high[1] - scene.low[1]);
   const Spot low = scene.low, high = scene.high;
   for (const Ellipse& ellipse : scene.ellipses) {
@@ -101,6 +104,12 @@ void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std:
           std::max(scene.high[axis], std::min(ellipse.center[axis] + extent, high[axis] + room));
     }
   }
+}
+
+void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name) {
+  scene.has_ellipses = true;
+  scene.ellipses = ellipses_of(graph, view, name);
+  enclose_ellipses(scene);
 }
 
 void draw_ellipses(const std::vector<Ellipse>& ellipses, const PlaneMap& map, const Box& box, double width,

@@ -2,15 +2,25 @@
 // Uncertainty ellipses: regions that contain a pose or a point with 95 % probability.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "boxplus/graph/frame.h"
 #include "plot/axes.h"
 #include "plot/scene.h"
 
 namespace boxplus::app {
+
+/// Returns the projection of the 95 % ellipse around a position with this covariance, which is dimension ×
+/// dimension, in the frame of the world.
+Ellipse ellipse_of(const detail::Frame& frame, const Eigen::MatrixXd& covariance, const View& view,
+                   double time);
+
+/// Makes some room in the scene for its ellipses.
+void enclose_ellipses(Scene& scene);
 
 /// Adds the 95 % ellipses of all poses and points of `graph` to its scene, and enlarges the scene to make
 /// some room for them. The covariances are computed at the estimates, relative to the vertices that hold the

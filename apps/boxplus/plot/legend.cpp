@@ -34,6 +34,7 @@ class Legend {
     is_bundle_ = any([](const Scene& scene) { return scene.is_bundle; });
     if (any([](const Scene& scene) { return scene.poses > 0; })) trajectory();
     if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks();
+    if (any([](const Scene& scene) { return !scene.scan_points.empty(); })) scans();
     if (has(SegmentKind::kTruth)) truth();
     if (any([](const Scene& scene) { return scene.has_ellipses; })) ellipses();
     if (any([](const Scene& scene) { return !scene.points.empty(); })) errors("points (mean)");
@@ -82,6 +83,14 @@ class Legend {
     begin(6, 73);
     canvas_.dot({left_ + 4 * text_, row_}, 7 * text_, kLandmarkColor);
     name(6, 73, "landmarks");
+  }
+
+  void scans() {
+    constexpr double kSwatch = 16;
+    begin(kSwatch, 80);
+    for (const double at : {2.0, 6.0, 10.0, 14.0})
+      canvas_.dot({left_ + at * text_, row_}, 2.6 * text_, kScanColor);
+    name(kSwatch, 80, "laser scans");
   }
 
   void truth() {

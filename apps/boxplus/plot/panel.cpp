@@ -16,6 +16,7 @@ namespace boxplus::app {
 namespace {
 
 constexpr int kDepthLayers = 10, kHues = 24;
+constexpr std::size_t kMostLabels = 300;
 
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -44,14 +45,22 @@ Stroke stroke_for(SegmentKind kind, int color, bool is_crowded) {
 class ScenePainter {
  public:
   ScenePainter(const Scene& scene, const PlaneMap& map, const PanelStyle& style, Canvas& canvas)
-      : scene_(scene), map_(map), unit_(style.layout.unit()), colors_(style.colors), canvas_(canvas) {}
+      : scene_(scene),
+        map_(map),
+        unit_(style.layout.unit()),
+        text_(style.layout.text()),
+        colors_(style.colors),
+        canvas_(canvas) {}
 
   void draw() {
+    scans();
+    matches();
     segments();
     landmarks();
     points();
     cameras();
     dots();
+    labels();
   }
 
  private:
@@ -108,6 +117,42 @@ class ScenePainter {
     }
   }
 
+  void scans() {
+    std::map<int, Path> paths;
+    for (const Spot& spot : scene_.scan_points) paths[layer(spot[2])].move_to(at(spot));
+    const double size = scene_.scan_points.size() > 1000 ? 1.2 : 2.4;
+    for (const auto& [depth, path] : paths) canvas_.stroke(path, {kScanColor, size * unit_, nearness(depth)});
+  }
+
+  void matches() {
+    Path path;
+    for (const auto& [from, to] : scene_.matches) {
+      path.move_to(at(from));
+      path.line_to(at(to));
+    }
+    if (!path.empty()) canvas_.stroke(path, {kFaintInk, 0.6 * unit_, 0.7});
+  }
+
+  /// Draws the names of places, except for those that would cover an earlier name.
+  void labels() {
+    constexpr double kSize = 13;
+    const double height = kSize * text_;
+    std::vector<Box> taken;
+    for (const Label& label : scene_.labels) {
+      const Point point = at(label.spot);
+      canvas_.dot(point, 4 * unit_, kInk);
+      // No letter is wider than its height, and each takes at least one byte.
+      const Box box{point.x, point.y - height, height * static_cast<double>(label.text.size()), height};
+      const auto covers = [&](const Box& other) {
+        return box.left < other.right() && other.left < box.right() && box.top < other.bottom() &&
+               other.top < box.bottom();
+      };
+      if (taken.size() == kMostLabels || std::any_of(taken.begin(), taken.end(), covers)) continue;
+      taken.push_back(box);
+      canvas_.text({point.x + 4 * unit_, point.y - 3 * unit_}, {.size = height, .color = kInk}, label.text);
+    }
+  }
+
   void landmarks() {
     std::map<int, Path> paths;
     for (const Spot& spot : scene_.landmarks) paths[layer(spot[2])].move_to(at(spot));
@@ -148,7 +193,7 @@ class ScenePainter {
 
   const Scene& scene_;
   const PlaneMap& map_;
-  double unit_;
+  double unit_, text_;
   const ErrorColors& colors_;
   Canvas& canvas_;
 };
@@ -167,7 +212,8 @@ std::string facts_of(const Scene& scene) {
   if (scene.landmark_count > 0)
     facts += ", " + counted(scene.landmark_count, scene.is_bundle ? "point" : "landmark");
   if (scene.outside > 0) facts += fmt::format(" ({} outside)", scene.outside);
-  return facts + ", " + counted(scene.edges, scene.is_bundle ? "observation" : "edge");
+  facts += ", " + counted(scene.edges, scene.is_bundle ? "observation" : "edge");
+  return scene.scans > 0 ? facts + ", " + counted(scene.scans, "scan") : facts;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "optimize/optimize_run.h"
+#include "plot/attached_data.h"
 #include "plot/bundle_scene.h"
 #include "plot/ellipses.h"
 #include "plot/error_chart.h"
@@ -34,6 +35,9 @@ constexpr const char* kFooter =
     "In bundle adjustment, cameras are drawn as pyramids, and the colors of points show the mean chi2 per\n"
     "row of their observations. The picture is turned so that the cameras on average look away from the\n"
     "viewer, and shows most points; points far away are left out and counted.\n"
+    "Lines of data in a .g2o file belong to the vertex before them. The points that lasers have hit\n"
+    "(ROBOTLASER1, RAWLASER1), names (VERTEX_TAG) and 95 % ellipses (VERTEX_ELLIPSE) are drawn at\n"
+    "its estimate.\n"
     "Ellipses show the covariances at the estimates, relative to the fixed vertex or, if no vertex is\n"
     "fixed, to the first pose. Ellipses that overlap others or are too small to see are left out.\n"
     "A page (.html) is what boxplus view shows, as one file that needs no server: one can turn the graph,\n"
@@ -50,7 +54,7 @@ constexpr const char* kFooter =
 struct Input {
   std::string name;   ///< the name of the file, for messages
   std::string title;  ///< of its panel
-  Graph graph;
+  GraphFile file;
 };
 
 std::string title_of(const std::string& path) {
@@ -60,8 +64,8 @@ std::string title_of(const std::string& path) {
 }
 
 Input read(const std::string& path, std::string title, const PlotArguments& arguments) {
-  Input input{input_name(path), std::move(title), load_graph(path, arguments.reading).graph};
-  set_kernels(input.graph, arguments.kernel);
+  Input input{input_name(path), std::move(title), load_graph(path, arguments.reading)};
+  set_kernels(input.file.graph, arguments.kernel);
   return input;
 }
 
@@ -74,8 +78,9 @@ std::vector<Input> read_inputs(const PlotArguments& arguments) {
 }
 
 Scene scene_of(const Input& input, const View& view, const TruePlaces& truth) {
-  Scene scene = viewer::is_bundle(input.graph) ? make_bundle_scene(input.graph, input.title, view)
-                                               : make_scene(input.graph, input.title, view, truth);
+  const Graph& graph = input.file.graph;
+  Scene scene = viewer::is_bundle(graph) ? make_bundle_scene(graph, input.title, view, truth)
+                                         : make_scene(graph, input.title, view, truth);
   if (scene.poses + scene.landmark_count == 0)
     throw FileError(input.name + ": expected poses or points to draw, found none with a finite position");
   if (scene.hidden > 0) {
@@ -97,16 +102,16 @@ std::string picture_of_graphs(const std::vector<Input>& inputs, const PlotArgume
                               PictureFormat format) {
   const Input& last = inputs.back();
   View view = arguments.view;
-  if (viewer::is_bundle(last.graph)) view.leveling = viewer::leveling(last.graph);
+  if (viewer::is_bundle(last.file.graph)) view.leveling = viewer::leveling(last.file.graph);
   TruePlaces truth;
-  if (!arguments.truth.empty()) {
-    if (viewer::is_bundle(last.graph))
-      throw InvalidArgument("--truth: expected a graph with a trajectory, got one of bundle adjustment");
-    truth = true_places(last.graph, last.name, arguments.truth, arguments.reading);
-  }
+  if (!arguments.truth.empty()) truth = true_places(last.file, last.name, arguments.truth, arguments.reading);
   std::vector<Scene> scenes;
   for (const Input& input : inputs) scenes.push_back(scene_of(input, view, truth));
-  if (arguments.has_ellipses) add_ellipses(scenes.back(), last.graph, view, last.name);
+  if (arguments.has_ellipses) add_ellipses(scenes.back(), last.file.graph, view, last.name);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (!scenes[i].is_bundle)
+      add_data(scenes[i], inputs[i].file, view, inputs[i].name, arguments.reading.lenient);
+  }
   return draw_picture(std::move(scenes), view, arguments.picture, format, arguments.resolution);
 }
 
@@ -114,12 +119,12 @@ std::string picture_of_errors(const std::vector<Input>& inputs, const PlotArgume
                               PictureFormat format) {
   std::vector<ErrorChart> charts;
   for (const Input& input : inputs) {
-    if (!viewer::is_bundle(input.graph)) {
+    if (!viewer::is_bundle(input.file.graph)) {
       throw FileError(input.name +
                       ": expected a graph of bundle adjustment (all edges are reprojection errors) for "
                       "--reprojection-errors, got another one");
     }
-    charts.push_back(make_error_chart(input.graph, input.title));
+    charts.push_back(make_error_chart(input.file.graph, input.title));
   }
   return draw_error_charts(std::move(charts), arguments.picture, format, arguments.resolution);
 }

@@ -92,7 +92,7 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
       .add_option(
           "--truth", arguments.truth,
           "A graph with the true poses; they are aligned with the last graph and drawn as a band behind the "
-          "trajectory")
+          "trajectory, or as lines from cameras to their true places")
       ->type_name("FILE")
       ->check(file_name());
 }

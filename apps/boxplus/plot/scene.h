@@ -51,6 +51,12 @@ struct CameraMark {
   double time;  ///< the time of the camera, in [0, 1]
 };
 
+/// A name at a point.
+struct Label {
+  Spot spot;
+  std::string text;
+};
+
 struct Scene {
   std::vector<Segment> segments;  ///< all segments, in the order of time
   std::vector<Spot> landmarks;
@@ -58,10 +64,13 @@ struct Scene {
   std::vector<SeenPoint> points;    ///< only in bundle adjustment, instead of landmarks and observations
   std::vector<CameraMark> cameras;  ///< only in bundle adjustment, instead of a trajectory
   std::vector<Ellipse> ellipses;
+  std::vector<Spot> scan_points;  ///< that lasers have hit
+  std::vector<Label> labels;
+  std::vector<std::array<Spot, 2>> matches;  ///< from a vertex to a point that may be the same place
   bool has_ellipses =
       false;           ///< true if the user asked for ellipses, even if all of them are too small to see
   Spot low{}, high{};  ///< two corners of the box around everything
-  std::size_t poses = 0, landmark_count = 0, edges = 0;
+  std::size_t poses = 0, landmark_count = 0, edges = 0, scans = 0;
   /// The number of vertices that are not drawn, because they are too far away or not finite.
   std::size_t hidden = 0;
   /// The number of points of bundle adjustment that are not drawn, because they are far away from most

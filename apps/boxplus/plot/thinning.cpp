@@ -94,9 +94,11 @@ Scene thinned(Scene scene, double pixel, std::size_t most) {
     scene.segments = without_copies(with_joined_steps(scene.segments, scene.low, pixel), scene.low, pixel);
     scene.landmarks = without_copies(scene.landmarks, scene.low, pixel);
     scene.dots = without_copies(scene.dots, scene.low, pixel);
+    scene.scan_points = without_copies(scene.scan_points, scene.low, pixel);
     scene.points = without_copies(scene.points, scene.low, pixel);
-    if (scene.segments.size() + scene.landmarks.size() + scene.dots.size() + scene.points.size() <= most)
-      return scene;
+    const std::size_t size = scene.segments.size() + scene.landmarks.size() + scene.dots.size() +
+                             scene.scan_points.size() + scene.points.size();
+    if (size <= most) return scene;
   }
 }
 

@@ -9,10 +9,11 @@
 
 namespace boxplus::app {
 
-/// Returns the positions of the poses in the graph file `truth`. Aligns them with the poses of `graph` that
-/// have the same ids, like `boxplus compare`. Messages call the graph `name`. Throws the same exceptions as
-/// read_truth() and trajectory_of(), and FileError if the two graphs have no id in common.
-TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
+/// Returns the positions of the poses in the graph file `truth`, by the ids of the graph `file`. Matches them
+/// with the poses of `file` and aligns them, like `boxplus compare`; with bundle adjustment, whose scale is
+/// free, like `boxplus compare --scale`. Messages call the graph `name`. Throws the same exceptions as
+/// read_truth() and trajectory_of(), and FileError if no poses match.
+TruePlaces true_places(const GraphFile& file, const std::string& name, const std::string& truth,
                        const ReadOptions& reading);
 
 }  // namespace boxplus::app

@@ -57,7 +57,8 @@ std::vector<CLI::Option*> add_bundle_options(CLI::App& command, BundleArguments&
         ->group(kGroup);
   };
   return {
-      add_choice(command, "--shape", arguments.shape, shapes_by_name(), "Where the cameras are; see below")
+      add_choice(command, "--shape", arguments.shape, shapes_by_name(),
+                 "The arrangement of the cameras (see below)")
           ->group(kGroup),
       add_count("--cameras", options.cameras, 2, 10'000'000, "The number of cameras"),
       add_count("--points", options.points, 1, 100'000'000, "The number of points"),

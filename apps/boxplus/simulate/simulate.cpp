@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <optional>
+#include <variant>
 
 #include "boxplus/base/error.h"
 #include "command.h"
@@ -16,6 +16,7 @@
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "simulate/bundle.h"
+#include "simulate/robot.h"
 
 namespace boxplus::app {
 namespace {
@@ -25,15 +26,24 @@ constexpr const char* kFooter =
     "  sphere     winds around a sphere from pole to pole, with loop closures to the previous lap\n"
     "  torus      winds around a torus, with the same loop closures; the last lap meets the first\n"
     "  grid       fills a cube line by line and floor by floor, with loop closures between neighbors\n"
+    "  planes     flies to and fro through a row of rooms, and sees the planes of their walls, floors\n"
+    "             and ceilings with a sensor whose pose on the robot is unknown, too\n"
+    "  lines      the same flights, which see the lines along the edges of the rooms\n"
     "2D worlds:\n"
     "  manhattan  walks at random through streets at right angles, with loop closures at crossings\n"
     "  streets    drives through each street of a town 2 to 4 times, with loop closures along the\n"
     "             way: about 4 edges per pose, and more than 100 poses from crossing to crossing\n"
     "  city       drives through short streets, and observes lampposts and corners of houses ahead\n"
+    "Robots that wander through a square, with the sensors of --sensors:\n"
+    "  robot2d    points, bearings, poses (of earlier visits), compass, gps, segments\n"
+    "  robot3d    points, depth and disparity (images of points), poses, compass, gps\n"
     "Bundle adjustment (cameras that observe points, written as BAL by default):\n"
     "  ba         --shape ring: cameras around an object look at it\n"
     "             --shape street: a car looks ahead, drives through streets, and never returns\n"
     "             --shape city: the car drives through each street of a town about three times\n"
+    "             --shape collection: photos of the sights around a square, some of them far more\n"
+    "             popular than others; almost half of all pairs of cameras share points, and tracks\n"
+    "             have from 2 to hundreds of observations\n"
     "\n"
     "The same arguments give the same graph on every computer, except for rounding errors. Its initial\n"
     "estimates come from the odometry. Outliers are loop closures to a wrong place or observations of a\n"
@@ -45,18 +55,36 @@ constexpr const char* kFooter =
     "  boxplus simulate streets --poses 100000 --outliers 0.05 -o streets.g2o --truth truth.g2o\n"
     "  boxplus simulate ba --shape city --cameras 500 --points 50000 -o city.bal --truth truth.bal";
 
+/// What is not one of the worlds of simulate().
+enum class Special { kRobotInPlane, kRobotInSpace, kBundle };
+using Scene = std::variant<World, Special>;
+
 struct SimulateArguments {
-  std::optional<World> world = World::kSphere;  // none is the world of bundle adjustment
+  Scene scene = World::kSphere;
   std::string output, truth;
   SimulationOptions options;
   BundleArguments bundle;
+  RobotArguments robot;
 };
 
-Choices<std::optional<World>> worlds_by_name() {
-  Choices<std::optional<World>> worlds;
-  for (World world : kWorlds) worlds.emplace_back(to_string(world), world);
-  worlds.emplace_back("ba", std::nullopt);
-  return worlds;
+Choices<Scene> scenes_by_name() {
+  Choices<Scene> scenes;
+  for (World world : kWorlds) scenes.emplace_back(to_string(world), world);
+  scenes.emplace_back("robot2d", Special::kRobotInPlane);
+  scenes.emplace_back("robot3d", Special::kRobotInSpace);
+  scenes.emplace_back("ba", Special::kBundle);
+  return scenes;
+}
+
+bool observes_landmarks(const Scene& scene) {
+  return scene == Scene(World::kCity) || scene == Scene(World::kPlanes) || scene == Scene(World::kLines) ||
+         std::holds_alternative<Special>(scene);
+}
+
+Simulation simulated(const SimulateArguments& arguments) {
+  if (const World* world = std::get_if<World>(&arguments.scene)) return simulate(*world, arguments.options);
+  const bool in_space = arguments.scene == Scene(Special::kRobotInSpace);
+  return simulate_robot_world(in_space, arguments.robot, arguments.options);
 }
 
 /// Returns a summary of the graph in one line. Without outliers, chi2 of the true estimates is approximately
@@ -68,7 +96,7 @@ std::string summary(const SimulateArguments& arguments, const Simulation& simula
   const auto outliers = count(EdgeKind::kOutlier), recognitions = count(EdgeKind::kRecognition) + outliers;
   return fmt::format("{}: {} vertices, {} edges, {} of them {}{}; chi2 is {:.6g}, and {:.6g} at the truth\n",
                      output_name(arguments.output), simulation.graph.vertex_count(), simulation.edges.size(),
-                     recognitions, arguments.world == World::kCity ? "observations" : "loop closures",
+                     recognitions, observes_landmarks(arguments.scene) ? "observations" : "loop closures",
                      outliers > 0 ? fmt::format(" ({} wrong)", outliers) : "", simulation.graph.chi2(),
                      simulation.truth.chi2());
 }
@@ -83,7 +111,7 @@ void write(const std::string& path, Graph graph, std::vector<EdgeRef> edges) {
 int simulate_file(const SimulateArguments& arguments) {
   const std::vector<Output> outputs{{"--output", arguments.output}, {"--truth", arguments.truth}};
   check_outputs(outputs);
-  Simulation simulation = simulate(*arguments.world, arguments.options);
+  Simulation simulation = simulated(arguments);
   const std::string line = summary(arguments, simulation);
   write(arguments.output, std::move(simulation.graph), std::move(simulation.edges));
   if (!arguments.truth.empty())
@@ -114,7 +142,7 @@ void add_simulate(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* command =
       app.add_subcommand("simulate", "Simulates a noisy graph whose true estimates are known");
-  add_choice(*command, "WORLD", arguments->world, worlds_by_name(),
+  add_choice(*command, "WORLD", arguments->scene, scenes_by_name(),
              "The path of the robot, or ba for bundle adjustment; see below")
       ->default_str("")
       ->required();
@@ -154,9 +182,13 @@ void add_simulate(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->footer(kFooter);
   const std::vector<CLI::Option*> bundle = add_bundle_options(*command, arguments->bundle);
-  command->callback([&action, arguments, poses, bundle] {
-    action = [arguments, poses, bundle] {
-      if (arguments->world) {
+  const std::vector<CLI::Option*> robot = add_robot_options(*command, arguments->robot);
+  command->callback([&action, arguments, poses, bundle, robot] {
+    action = [arguments, poses, bundle, robot] {
+      const bool is_bundle = arguments->scene == Scene(Special::kBundle);
+      if (is_bundle || std::holds_alternative<World>(arguments->scene))
+        refuse(robot, "the worlds robot2d and robot3d");
+      if (!is_bundle) {
         refuse(bundle, "the world ba");
         return simulate_file(*arguments);
       }

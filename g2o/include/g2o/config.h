@@ -7,12 +7,22 @@
 // mode of the standard library cause the same problem. To detect the problem, this header references the
 // symbol g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, and the libraries define only g2o_abi_1_16. If the settings of a
 // client differ, the client does not link. The name of the missing symbol also says which flag to add or
-// remove. The CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
+// remove. The CMake targets set EIGEN_MAX_ALIGN_BYTES=16. If a client with -mavx or -march=native does not
+// set it, the compiler prints a note. This header does not set it for its file, because a file of the same
+// client that uses Eigen without g2o would still have the other alignment, and the program could crash.
 #pragma once
 #ifndef G2O_CONFIG_H
 #define G2O_CONFIG_H
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 201402L
+#error "the g2o API needs C++17: compile with -std=c++17, or set CMAKE_CXX_STANDARD to 17"
+#include "the end of compilation"  // A missing file ends it. Otherwise, hundreds of other errors would follow.
+#endif
+
 #include <Eigen/Core>
+#if EIGEN_MAX_ALIGN_BYTES > 16
+#pragma message("Eigen's alignment differs from g2o's. Compile all files with -DEIGEN_MAX_ALIGN_BYTES=16.")
+#endif
 #include <iostream>  // clients rely on g2o's headers to include it
 #include <iterator>
 
@@ -28,6 +38,8 @@
 
 #if EIGEN_MAX_ALIGN_BYTES == 16
 #define G2O_ABI_ALIGN
+#elif defined(EIGEN_DONT_ALIGN)
+#define G2O_ABI_ALIGN _remove_EIGEN_DONT_ALIGN
 #else
 #define G2O_ABI_ALIGN _add_EIGEN_MAX_ALIGN_BYTES_16
 #endif

@@ -55,8 +55,8 @@ void SparseOptimizer::dropIncompleteEdges() {
   const auto is_incomplete = [](const Edge* e) { return e->numUndefinedVertices() > 0; };
   const auto incomplete = std::find_if(_activeEdges.begin(), _activeEdges.end(), is_incomplete);
   if (incomplete == _activeEdges.end()) return;
-  G2O_WARN("number of edges that lost a vertex and are no longer active: {}",
-           std::count_if(incomplete, _activeEdges.end(), is_incomplete));
+  G2O_ERROR("number of edges that lost a vertex and are no longer active: {}",
+            std::count_if(incomplete, _activeEdges.end(), is_incomplete));
   _activeEdges.erase(std::remove_if(incomplete, _activeEdges.end(), is_incomplete), _activeEdges.end());
   ++structure_revision_;
 }

@@ -13,13 +13,16 @@ namespace g2o {
 namespace {
 
 enum Type { kDouble, kFloat, kInt, kString, kBool, kIntegers, kNumbers, kTypeCount };
-constexpr std::array<const char*, kTypeCount> kTypeNames = {"a number",
-                                                            "a number",
-                                                            "an integer",
-                                                            "a value",
-                                                            "",
-                                                            "integers separated by commas",
-                                                            "numbers separated by commas"};
+constexpr std::array<const char*, kTypeCount> kTypeNames = {
+    "<double>", "<float>", "<int>", "<string>", "<bool>", "<vector_int>", "<vector_double>"};
+/// What a parameter expects on the command line. A flag expects nothing.
+constexpr std::array<const char*, kTypeCount> kExpectations = {"a number",
+                                                               "a number",
+                                                               "an integer",
+                                                               "a value",
+                                                               "",
+                                                               "integers separated by commas",
+                                                               "numbers separated by commas"};
 
 template <class T>
 bool read(const std::string& text, T& value) {
@@ -156,8 +159,8 @@ bool CommandArgs::parse(const std::vector<std::string>& args) {
     if (argument->type == kBool) {
       *static_cast<bool*>(argument->data) = argument->default_text == "off";
     } else if (++i == args.size() || !set_from_text(*argument, args[i])) {
-      error_ = "parameter " + text + ": expected " + type2str(argument->type) + ", got " +
-               (i == args.size() ? "nothing" : "'" + args[i] + "'");
+      error_ = "parameter " + text + ": expected " + kExpectations[static_cast<size_t>(argument->type)] +
+               ", got " + (i == args.size() ? "nothing" : "'" + args[i] + "'");
       return false;
     }
   }

@@ -94,6 +94,10 @@ class DrawElementAction : public DrawAction {
     Drawing& drawing = *_previousParams->drawing;
     for (const auto& [from, to] : sketch.lines)
       drawing.line(from, to, sketch.color, property("LINE_WIDTH", 1));
+    for (const auto& [middle, direction] : sketch.pieces) {
+      const Vector3 half = property("LINE_LENGTH", sketch.piece_length) / 2 * direction;
+      drawing.line(middle - half, middle + half, sketch.color, property("LINE_WIDTH", sketch.piece_width));
+    }
     for (const Isometry3& pose : sketch.poses)
       drawing.pose(pose, sketch.color, property("TRIANGLE_X", .2F), property("TRIANGLE_Y", .05F));
     Color faint = sketch.color;

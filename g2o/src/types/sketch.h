@@ -31,6 +31,10 @@ struct Sketch {
   float plane_side = 3;
   std::vector<Vector3> points;
   std::vector<std::array<Vector3, 2>> lines;
+  /// Pieces of endless lines: the middle, and a unit direction.
+  std::vector<std::array<Vector3, 2>> pieces;
+  /// The default length of the pieces of endless lines (meters), and their width. Properties can change them.
+  float piece_length = 15, piece_width = 5;
   Color color;
 
   static Sketch of_pose(const Isometry3& pose) {

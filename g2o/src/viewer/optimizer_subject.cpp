@@ -22,6 +22,8 @@ namespace g2o {
 namespace internal {
 namespace {
 
+constexpr const char* kNoTruth = "the estimates of this graph cannot be compared with a truth here";
+
 using boxplus::InvalidArgument;
 using boxplus::IterationRecord;
 using boxplus::viewer::Listener;
@@ -139,7 +141,8 @@ OptimizerSubject::OptimizerSubject(std::unique_ptr<SparseOptimizer> optimizer, s
 }
 
 boxplus::viewer::Subject::Facts OptimizerSubject::facts() const {
-  return {name_, "g2o", optimizer_->vertices().size(), optimizer_->edges().size(), structure_.dimension};
+  return {name_,   "g2o", optimizer_->vertices().size(), optimizer_->edges().size(), structure_.dimension,
+          kNoTruth};
 }
 
 double OptimizerSubject::chi2() {
@@ -180,7 +183,7 @@ Message OptimizerSubject::uncertain_frame(const boxplus::viewer::FrameFacts& fac
 
 void OptimizerSubject::open_truth(const std::string& /*name*/, const std::string& /*text*/,
                                   Listener& /*listener*/) {
-  throw InvalidArgument("the estimates of this graph cannot be compared with a truth here");
+  throw InvalidArgument(kNoTruth);
 }
 
 std::string OptimizerSubject::diagnosis(std::uint64_t /*structure*/,

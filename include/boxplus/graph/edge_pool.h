@@ -142,6 +142,7 @@ class EdgePool {
 
  private:
   friend class boxplus::Graph;
+  friend class PoolTable;
   std::size_t vertex_start(std::uint32_t edge) const {
     return uniform_arity_ >= 0 ? std::size_t{edge} * static_cast<std::size_t>(uniform_arity_)
                                : vertex_start_[edge];

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -11,64 +10,20 @@
 #include <span>
 #include <string>
 #include <type_traits>
-#include <typeindex>
 #include <typeinfo>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "boxplus/base/error.h"
+#include "boxplus/base/function_ref.h"
+#include "boxplus/graph/attachable.h"
 #include "boxplus/graph/check_types.h"
 #include "boxplus/graph/id_map.h"
 #include "boxplus/graph/lifetime.h"
-#include "boxplus/graph/typed_edge_pool.h"
-#include "boxplus/graph/typed_vertex_pool.h"
+#include "boxplus/graph/pool_table.h"
+#include "boxplus/graph/saved_state.h"
 
 namespace boxplus {
-
-namespace detail {
-template <class H>
-inline constexpr bool kIsVertexHandle = false;
-template <class T>
-inline constexpr bool kIsVertexHandle<VertexHandle<T>> = true;
-
-template <class H>
-struct VertexTypeOf;
-template <class T>
-struct VertexTypeOf<VertexHandle<T>> {
-  using Type = StoredEstimate<T>;
-};
-template <std::ranges::range R>
-requires kIsVertexHandle<std::ranges::range_value_t<R>>
-struct VertexTypeOf<R> {
-  using Type = detail::Tail<typename std::ranges::range_value_t<R>::Estimate>;
-};
-/// T for VertexHandle<T>, detail::Tail<T> for a range of such handles.
-template <class H>
-using VertexType = typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
-
-/// A list of at most N items, without allocation.
-template <class T, std::size_t N>
-class ShortList {
- public:
-  void push_back(const T& item) { items_[size_++] = item; }
-  const T* begin() const { return items_.data(); }
-  const T* end() const { return items_.data() + size_; }
-  operator std::span<const T>() const { return {items_.data(), size_}; }  // NOLINT: as a vector does
-
- private:
-  std::array<T, N> items_{};
-  std::size_t size_ = 0;
-};
-/// A list with one T per vertex, for an edge whose vertices have the types V…
-template <class T, class... V>
-using ListFor = std::conditional_t<(kIsTail<V> || ...), std::vector<T>, ShortList<T, sizeof...(V)>>;
-
-template <class H>
-concept Attachable = requires {
-  typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
-};
-}  // namespace detail
 
 /// A hyper-graph: vertices of any manifold type, and edges that connect any number of vertices.
 ///
@@ -215,11 +170,11 @@ class Graph {
     check_distinct(refs);
     detail::ListFor<std::uint32_t, detail::VertexType<H>...> slots;
     for (const VertexRef& ref : refs) slots.push_back(ref.slot);
-    const std::uint32_t index = edge_pool_for<E, detail::VertexType<H>...>();
-    auto& pool = static_cast<detail::TypedEdgePool<E, detail::VertexType<H>...>&>(*edge_pools_[index]);
+    const std::uint32_t index = pools_.require_edges<E, detail::VertexType<H>...>();
+    auto& pool = static_cast<detail::TypedEdgePool<E, detail::VertexType<H>...>&>(*pools_.edges[index]);
     constexpr std::size_t kTails = (0 + ... + std::size_t{detail::kIsTail<detail::VertexType<H>>});
     detail::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
-    (append_tail_size(tail_sizes, vertices), ...);
+    (detail::append_tail_size(tail_sizes, vertices), ...);
     const std::uint32_t end = pool.slots();
     const int rows = count_rows(pool, error, refs, slots, tail_sizes);
     const std::uint32_t slot = pool.add(std::move(error), information, rows, slots, tail_sizes);
@@ -229,6 +184,16 @@ class Graph {
     return handle;
   }
 
+  /// Adds an empty pool for edges whose vertex types are known only at run time, as in bindings of other
+  /// languages. measurement() and set_measurement() do not know its edges. Returns its index. Throws
+  /// InvalidArgument if the graph lacks a vertex pool that the pool names.
+  std::uint32_t add_edge_pool(std::unique_ptr<detail::EdgePool> pool);
+  /// Adds an edge to a pool of add_edge_pool(). `add(slots of the vertices)` adds it to the pool, and returns
+  /// its slot there. Throws InvalidArgument as the other add_edge(), and if the pool is for vertices of other
+  /// types.
+  EdgeRef add_edge(std::uint32_t pool, std::span<const VertexRef> vertices,
+                   detail::FunctionRef<std::uint32_t(std::span<const std::uint32_t>)> add);
+
   /// Reserves memory for a total of `count` edges of the type of `like`. Saves time if you add many edges.
   /// Throws InvalidArgument if `count` is above 2³² − 1, the largest number of edges of one type.
   void reserve_edges(EdgeRef like, std::size_t count);
@@ -236,15 +201,15 @@ class Graph {
   /// The error function (measurement) of an edge.
   template <class E>
   const E& measurement(EdgeHandle<E> edge) const {
-    return *static_cast<const E*>(edge_access<E>(edge).value(*edge_pools_[edge.pool], edge.slot));
+    return *static_cast<const E*>(edge_access<E>(edge).value(*pools_.edges[edge.pool], edge.slot));
   }
   /// Replaces the error function. Throws InvalidArgument if the number of rows changes, or if a size does not
   /// fit (as add_edge() does); then nothing has changed.
   template <class E>
   void set_measurement(EdgeHandle<E> edge, E error) {
-    const EdgeAccess& access = edge_access<E>(edge);
+    const detail::EdgeAccess& access = edge_access<E>(edge);
     try {
-      access.exchange(*edge_pools_[edge.pool], edge.slot, &error);
+      access.exchange(*pools_.edges[edge.pool], edge.slot, &error);
     } catch (const InvalidArgument& misfit) {
       throw_misfit(misfit, vertices(edge));
     }
@@ -309,8 +274,8 @@ class Graph {
 
   // ---- For the engine ----
 
-  std::span<const std::unique_ptr<detail::VertexPool>> vertex_pools() const { return vertex_pools_; }
-  std::span<const std::unique_ptr<detail::EdgePool>> edge_pools() const { return edge_pools_; }
+  std::span<const std::unique_ptr<detail::VertexPool>> vertex_pools() const { return pools_.vertices; }
+  std::span<const std::unique_ptr<detail::EdgePool>> edge_pools() const { return pools_.edges; }
   /// A number that changes when the structure of the problem changes: elements, fixed and eliminated flags,
   /// fixed directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the
   /// structure.
@@ -329,23 +294,6 @@ class Graph {
   /// Takes everything from `other` except its lifetime.
   void take_elements(Graph& other) noexcept;
 
-  /// One entry of the stack of push().
-  struct Saved {
-    struct Part {
-      std::vector<std::uint32_t> slots, generations;
-      std::unique_ptr<detail::SavedEstimates> estimates;
-    };
-    Saved() = default;
-    Saved(Saved&&) = default;
-    Saved& operator=(Saved&&) = default;
-    Saved(const Saved& other);
-    std::vector<Part> parts;  // per pool
-  };
-
-  /// The first generation of a graph's pools. Each call returns a different number, and the numbers are as
-  /// far apart as possible. Therefore, a graph detects handles of another graph and handles from before
-  /// clear(). Thread-safe.
-  static std::uint32_t new_epoch() noexcept;
   void note_rewrite() { last_rewrite_ = ++revision_; }
   void note_addition(bool at_the_end) { at_the_end ? void(++revision_) : note_rewrite(); }
   static Id claim_id(const detail::IdMap& ids, Id& next, std::optional<Id> id, const char* what);
@@ -375,7 +323,7 @@ class Graph {
   void index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexcept;
   /// The blocks of jacobian(), one after the other; each is column-major.
   std::vector<double> stacked_jacobian(EdgeRef edge) const;
-  void save(Saved saved);
+  void save(detail::SavedState saved);
 
   /// Appends a handle, or a range of handles, to the vertices of a new edge.
   template <class List, class T>
@@ -388,43 +336,19 @@ class Graph {
     for (const auto& vertex : vertices) gather(out, vertex);
   }
 
-  template <class List, class H>
-  static void append_tail_size(List& out, const H& vertices) {
-    if constexpr (std::ranges::range<H>)
-      out.push_back(static_cast<std::uint32_t>(std::ranges::distance(vertices)));
-  }
-
-  template <class T>
-  std::uint32_t vertex_pool_index() const {
-    const auto found = vertex_pool_of_.find(typeid(T));
-    return found == vertex_pool_of_.end() ? 0xFFFFFFFFu : found->second;
-  }
   template <class T>
   detail::TypedVertexPool<detail::StoredEstimate<T>>& typed_pool(VertexRef vertex) const {
     check(vertex);
-    detail::VertexPool& pool = *vertex_pools_[vertex.pool];
+    detail::VertexPool& pool = *pools_.vertices[vertex.pool];
     if (typeid(pool) != typeid(detail::TypedVertexPool<detail::StoredEstimate<T>>)) {
       throw_wrong_type(vertex, detail::type_name<detail::StoredEstimate<T>>());
     }
     return static_cast<detail::TypedVertexPool<detail::StoredEstimate<T>>&>(pool);
   }
-  /// The index of the pool of T. Creates the pool if there is none.
-  template <class T>
-  std::uint32_t require_vertex_pool() {
-    if (last_vertex_pool_.type == &typeid(T)) return last_vertex_pool_.index;
-    const auto [entry, fresh] =
-        vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
-    if (fresh) {
-      vertex_pools_.push_back(std::make_unique<detail::TypedVertexPool<T>>());
-      vertex_pools_.back()->next_generation_ = epoch_;
-    }
-    last_vertex_pool_ = {&typeid(T), entry->second};
-    return entry->second;
-  }
   template <class T>
   VertexHandle<T> register_vertex(T estimate, Id id, detail::IdMap& ids) {
-    const std::uint32_t index = require_vertex_pool<T>();
-    auto& pool = static_cast<detail::TypedVertexPool<T>&>(*vertex_pools_[index]);
+    const std::uint32_t index = pools_.require_vertices<T>();
+    auto& pool = static_cast<detail::TypedVertexPool<T>&>(*pools_.vertices[index]);
     ids.make_room();
     const std::uint32_t end = pool.slots();
     const std::uint32_t slot = pool.add(std::move(estimate), id);
@@ -434,75 +358,26 @@ class Graph {
     return handle;
   }
 
-  /// Access to the error functions of an edge pool, for callers that know E but not the types of the
-  /// vertices.
-  struct EdgeAccess {
-    const std::type_info* type;
-    const void* (*value)(const detail::EdgePool&, std::uint32_t slot);
-    void (*exchange)(detail::EdgePool&, std::uint32_t slot, void* error);
-
-    template <class E, class Pool>
-    static EdgeAccess of() {
-      return {&typeid(E),
-              [](const detail::EdgePool& pool, std::uint32_t slot) -> const void* {
-                return &static_cast<const Pool&>(pool).value(slot);
-              },
-              [](detail::EdgePool& pool, std::uint32_t slot, void* error) {
-                static_cast<Pool&>(pool).exchange(slot, std::move(*static_cast<E*>(error)));
-              }};
-    }
-  };
   template <class E>
-  const EdgeAccess& edge_access(EdgeRef edge) const {
+  const detail::EdgeAccess& edge_access(EdgeRef edge) const {
     check(edge);
-    const EdgeAccess& access = edge_access_[edge.pool];
+    const detail::EdgeAccess& access = pools_.access(edge.pool);
     if (*access.type != typeid(E)) throw_wrong_type(edge, detail::type_name<E>());
     return access;
   }
 
-  /// The index of the pool of these edges. Creates the pool if there is none.
-  template <class E, class... V>
-  std::uint32_t edge_pool_for() {
-    using Pool = detail::TypedEdgePool<E, V...>;
-    if (last_edge_pool_.type == &typeid(Pool)) return last_edge_pool_.index;
-    const auto [entry, fresh] =
-        edge_pool_of_.try_emplace(typeid(Pool), static_cast<std::uint32_t>(edge_pools_.size()));
-    if (fresh) {
-      const std::vector<std::uint32_t> indices{require_vertex_pool<detail::ElementOf<V>>()...};
-      typename Pool::VertexPools pools{static_cast<const detail::TypedVertexPool<detail::ElementOf<V>>*>(
-          vertex_pools_[vertex_pool_index<detail::ElementOf<V>>()].get())...};
-      edge_pools_.push_back(std::make_unique<Pool>(indices, pools));
-      edge_pools_.back()->next_generation_ = epoch_;
-      edge_access_.push_back(EdgeAccess::of<E, Pool>());
-    }
-    last_edge_pool_ = {&typeid(Pool), entry->second};
-    return entry->second;
-  }
-
-  /// The pool to which the last element was added. Because most elements are added in runs of one type, this
-  /// saves most look-ups, which hash the name of the type.
-  struct LastPool {
-    const std::type_info* type = nullptr;
-    std::uint32_t index = 0;
-  };
-
-  std::vector<std::unique_ptr<detail::VertexPool>> vertex_pools_;
-  std::vector<std::unique_ptr<detail::EdgePool>> edge_pools_;
-  std::vector<EdgeAccess> edge_access_;  // per edge pool
-  std::unordered_map<std::type_index, std::uint32_t> vertex_pool_of_, edge_pool_of_;
-  LastPool last_vertex_pool_, last_edge_pool_;
+  detail::PoolTable pools_;
   detail::IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
   std::uint64_t revision_ = 1, last_rewrite_ = 1;
-  std::uint32_t epoch_ = new_epoch();  // first generation of new pools
-  std::vector<Saved> stack_;
+  std::vector<detail::SavedState> stack_;
   detail::Lifetime lifetime_;
   mutable std::unique_ptr<Incidence> incidence_;  // created by the first call of edges()
 };
 
 inline std::vector<Eigen::MatrixXd> Graph::jacobian(EdgeRef edge) const {
   const std::vector<double> values = stacked_jacobian(edge);
-  const int rows = edge_pools_[edge.pool]->shape(edge.slot).rows;
+  const int rows = pools_.edges[edge.pool]->shape(edge.slot).rows;
   const double* next = values.data();
   std::vector<Eigen::MatrixXd> blocks;
   for (const VertexRef& vertex : vertices(edge)) {

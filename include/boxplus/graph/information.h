@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxplus/base/matrix.h"
@@ -70,6 +71,13 @@ class Information {
   /// From n(n+1)/2 values, row by row. Diagonal matrices and multiples of I are detected and stored as such.
   static Information upper_triangle(std::span<const double> values, int rows);
 
+  /// The same Ω, which a graph accepts although it has negative eigenvalues. A large error of such an edge
+  /// may lower chi2, so that Σ ρ(eᵀΩe) need not have a minimum. Robust kernels are meant for eᵀΩe ≥ 0.
+  Information as_given() && {
+    may_be_indefinite_ = true;
+    return std::move(*this);
+  }
+
   Kind kind() const { return kind_; }
   std::span<const double> values() const {
     return count_ <= kNear ? std::span(near_.data(), count_) : std::span(far_);
@@ -86,6 +94,7 @@ class Information {
   /// The values of an Ω with up to six rows need no allocation.
   static constexpr std::size_t kNear = 21;
   Kind kind_;
+  bool may_be_indefinite_ = false;
   int rows_;
   std::size_t count_;
   std::array<double, kNear> near_;

@@ -81,6 +81,7 @@ class VertexPool {
 
  private:
   friend class boxplus::Graph;
+  friend class PoolTable;
   enum Flag : std::uint8_t { kAlive = 1, kFixed = 2, kEliminated = 4, kParameter = 8 };
 
   void release_slot(std::uint32_t slot);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "boxplus/base/abi.h"
+#include "boxplus/io/graph_file.h"
 
 namespace boxplus {
 
@@ -71,6 +72,13 @@ class FieldReader {
   /// Throws InputError unless the rest of the line is empty or a comment.
   void expect_end();
 
+  /// What to do with an indefinite Ω; kRefuse at first.
+  void set_policy(ReadOptions::Indefinite policy) { policy_ = policy; }
+  ReadOptions::Indefinite policy() const { return policy_; }
+  /// Records that an Ω of this line is indefinite, and was replaced or kept.
+  void note_indefinite() { has_indefinite_ = true; }
+  bool has_indefinite() const { return has_indefinite_; }
+
   /// The place of the next field.
   FieldPlace place() const { return FieldPlace(passed()); }
   std::int64_t line_number() const { return line_number_; }
@@ -95,7 +103,8 @@ class FieldReader {
   std::size_t position_ = 0;  // position in line_, unless the fields were converted
   std::size_t passed_ = 0;    // number of fields that were read from the text
   const double *first_ = nullptr, *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;
-  bool is_converted_ = false;
+  bool is_converted_ = false, has_indefinite_ = false;
+  ReadOptions::Indefinite policy_ = ReadOptions::Indefinite::kRefuse;
   std::string note_;
 };
 

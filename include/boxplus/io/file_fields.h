@@ -15,6 +15,8 @@
 #include "boxplus/types/slam2d/points_observation.h"
 #include "boxplus/types/slam2d/segment.h"
 #include "boxplus/types/slam2d/wheel_odometry.h"
+#include "boxplus/types/slam3d/line.h"
+#include "boxplus/types/slam3d/plane.h"
 #include "boxplus/types/slam3d/points_observation.h"
 
 namespace boxplus {
@@ -88,6 +90,24 @@ struct FileFields<Line2> {
   static void write(const Line2& x, FieldWriter& out);
 };
 
+/// The coefficients a b c d, and the color r g b. The normal (a, b, c) may have any length but zero. Planes
+/// are kept bit for bit as they were read.
+template <>
+struct FileFields<Plane3> {
+  static Plane3 read(FieldReader& in);
+  static void write(const Plane3& x, FieldWriter& out);
+};
+
+/// The moment w, and the direction d, which must not be zero. The part of w along d must not be longer than
+/// kTolerance (|w| + |d|). If it is at most kRounding (|w| + |d|), it may come from rounding to few digits,
+/// and the line is kept bit for bit as it was read. Otherwise, this part is removed, with a note.
+template <>
+struct FileFields<Line3> {
+  static constexpr double kTolerance = 1e-3, kRounding = 1e-5;
+  static Line3 read(FieldReader& in);
+  static void write(const Line3& x, FieldWriter& out);
+};
+
 /// Writes a measured pose, which was read by FileFields<SE3> and normalized, with the fewest digits that read
 /// back to the same pose.
 void write_measurement(const SE3& z, FieldWriter& out);
@@ -97,6 +117,18 @@ void write_measurement(const SE3& z, FieldWriter& out);
 /// upper triangle by rows (another order or scale), the specialization also has a function that converts it:
 ///
 ///     static void to_upper_triangle(std::span<double> listed);
+///
+/// If lines have fields after Ω, it has functions for them, too:
+///
+///     static void read_rest(E& edge, FieldReader& in);
+///     static void write_rest(const E& edge, FieldWriter& out);
+///
+/// If Ω is not on the lines, because it follows from the edge, it has the function
+///
+///     static Information information(const E& edge);
+///
+/// In EdgeFields and FileFields, `static constexpr int kOptionalFields` is the number of fields at the end of
+/// a line that may be missing together.
 template <class E>
 struct EdgeFields {
   using Measurement = decltype(E::measurement);
@@ -137,3 +169,5 @@ struct EdgeFields<SegmentEndObservation2> {
 };
 
 }  // namespace boxplus
+
+#include "boxplus/io/image_fields.h"  // IWYU pragma: export

@@ -59,6 +59,10 @@ struct FileFormat {
   std::function<void(const GraphFileView& file, const WriteOptions& options, TextSink sink)> write = {};
   /// If they are given, the four functions above are not used.
   FolderFunctions folder = {};
+  /// See losses() below. Without this function, writing leaves nothing out of which losses() must tell.
+  std::function<std::vector<std::string>(const GraphFileView& file)> losses = {};
+  /// Whether files keep the kernels, levels and fixed directions of a graph, and which edges are disabled.
+  bool keeps_everything = false;
 
   bool is_folder() const { return static_cast<bool>(folder.recognize); }
   bool can_read() const { return read || folder.read; }
@@ -89,8 +93,14 @@ class FileFormats {
   std::vector<FileFormat> formats_;
 };
 
-/// .g2o, TORO, BAL, COLMAP (binary and text) and PLY.
+/// .g2o, TORO, Gm2dl, CARMEN, iSAM, BAL, COLMAP (binary and text), JSON, gnuplot, VRML and PLY.
 const FileFormats& default_formats();
+
+/// What write_graph() leaves out because the format cannot keep it, although the written problem is the same
+/// otherwise: one sentence for each kind, such as "the information of 3 edges". Empty if nothing is left out.
+/// Throws InvalidArgument if the format is unknown or read-only.
+std::vector<std::string> losses(const std::string& path, const GraphFile& file,
+                                const WriteOptions& options = {});
 
 /// Throws the InvalidArgument or FileError that write_graph() would throw, as far as this can be checked
 /// without writing. Call it before a long computation, so that its result can be saved.

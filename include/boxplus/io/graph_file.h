@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading and writing graphs, in any of the formats of a FileFormats: .g2o, TORO's .graph (reading only), and
-// the problems of bundle adjustment (types/ba.h) of BAL and COLMAP. A COLMAP model is a folder. Poses and
-// points are also written as .ply, for viewers. docs/formats.md describes them.
+// Reading and writing graphs, in any of the formats of a FileFormats: .g2o, TORO's .graph, Gm2dl, logs of
+// CARMEN and iSAM (these four are only read), and the problems of bundle adjustment (types/ba.h) of BAL and
+// COLMAP. A COLMAP model is a folder. JSON holds any graph completely. Poses, points and edges are also
+// written for viewers: PLY, VRML and gnuplot. docs/formats.md describes all formats.
 //
-// The first two have one element per line: a tag (see Registry), ids and values, separated by blanks. `#`
+// The first three have one element per line: a tag (see Registry), ids and values, separated by blanks. `#`
 // begins a comment, and `FIX id…` fixes vertices. Elements may come in any order. Positions are in meters,
 // angles in radians, and Ω is listed as its upper triangle by rows.
 #pragma once
@@ -24,11 +25,19 @@ class Registry;
 struct SparseModel;
 
 struct ReadOptions {
+  /// What to do with an edge whose Ω has a negative eigenvalue.
+  enum class Indefinite : std::uint8_t {
+    kRefuse,   ///< throw InputError
+    kProject,  ///< replace Ω by the nearest positive semi-definite matrix, and count the edge
+    /// Keep Ω (Information::as_given()), and count the edge. A large error of the edge may lower chi2.
+    kAsGiven
+  };
   const Registry* registry = nullptr;  ///< nullptr: default_registry()
   /// Tags to read as other tags: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads VERTEX_CAM as VERTEX_SE3:QUAT.
   std::map<std::string, std::string, std::less<>> renames = {};
   bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
-  int threads = 0;       ///< maximum number; 0: one per hardware thread. It does not affect the graph.
+  Indefinite indefinite = Indefinite::kRefuse;
+  int threads = 0;  ///< maximum number; 0: one per hardware thread. It does not affect the graph.
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
 };
 
@@ -44,13 +53,14 @@ struct WriteOptions {
 
 /// A graph, and the parts of its file that a Graph does not contain.
 struct GraphFile {
-  /// A line that is not in the graph: a comment, a line with an unknown tag, or an edge whose vertex has the
-  /// id −1. Writing puts the line back after the element that it followed.
+  /// A line that is not in the graph: a comment, a line of data (io/data.h), a line with an unknown tag, or
+  /// an edge whose vertex has the id −1. Writing puts the line back after the element that it followed.
   struct KeptLine {
     enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
     Place place = Place::kBegin;
     std::int64_t after = 0;  ///< a vertex id, or a position in GraphFile::edges (−1: before all edges)
     std::string text;
+    std::int64_t line = 0;  ///< its number in the file, for messages; 0 if it was not read from a file
   };
 
   struct Note {
@@ -69,6 +79,7 @@ struct GraphFile {
   std::string format = {};       ///< the name of the file's format (FileFormat); read_graph() sets it
   std::int64_t lines = 0;        ///< number of lines of the file
   std::int64_t skipped = 0;      ///< number of skipped lines (lenient reading)
+  std::int64_t indefinite = 0;   ///< number of edges whose Ω was indefinite, and was replaced or kept
   bool vertices_created =
       false;  ///< the file lists only edges, so the estimates are defaults: make an initial guess
 };

@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-/// Throws InputError if Ω is indefinite or zero.
+/// Throws InputError if Ω is zero, or if it is indefinite and the reader does not project it.
 Information read_information(FieldReader& in, int rows);
 void write_information(const detail::InformationView& information, FieldWriter& out);
 
@@ -30,8 +30,15 @@ struct UncheckedInformation {
 /// Converts the values of Ω, as a file lists them, to the upper triangle by rows.
 using ToUpperTriangle = void (*)(std::span<double> listed);
 
-/// `to_upper_triangle`: nullptr if the file lists the upper triangle. Throws InputError if Ω is zero.
+/// `to_upper_triangle`: nullptr if the file lists the upper triangle. If the reader projects an indefinite Ω,
+/// the result is the nearest positive semi-definite matrix in the Frobenius norm: negative eigenvalues become
+/// zero (Higham, "Computing a nearest symmetric positive semidefinite matrix", 1988, theorem 2.1). Throws
+/// InputError if Ω is zero, or if nothing of it is left.
 UncheckedInformation read_unchecked_information(FieldReader& in, int rows, ToUpperTriangle to_upper_triangle);
+
+/// Throws InvalidArgument, because a line cannot contain Ω, unless Ω has the value that a reader computes.
+void require_information(const InformationView& information, const Information& computed,
+                         std::string_view edge_type);
 
 }  // namespace detail
 }  // namespace boxplus

@@ -81,8 +81,9 @@ class Registry {
 /// The tags of .g2o files for the ready-made types, and the tags of TORO.
 void register_slam2d(Registry& registry);
 void register_slam3d(Registry& registry);
+void register_ba(Registry& registry);
 void register_toro(Registry& registry);
-/// A registry with the tags of all three functions above.
+/// A registry with the tags of all of these functions.
 const Registry& default_registry();
 
 }  // namespace boxplus

@@ -46,10 +46,14 @@ struct Tag {
   void (*write_vertex)(const Graph&, VertexRef, FieldWriter&) = nullptr;
   void (*check_edge)(FieldReader&) = nullptr;  ///< reads measurement and Ω, and adds nothing
   EdgeRef (*read_edge)(Graph&, std::span<const VertexRef>, FieldReader&) = nullptr;
-  void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement and Ω
+  void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement, Ω and the rest
+  void (*write_rest)(const Graph&, EdgeRef,
+                     FieldWriter&) = nullptr;  ///< the fields after Ω, if there are any
+  bool lists_information = true;  ///< false if Ω follows from the measurement, and is not in the file
   /// The type to use if the last two parameters are the same, because an edge cannot list a vertex twice.
   std::shared_ptr<const Tag> shared_parameter = nullptr;
   bool written = true;       ///< false for an old tag that is only read
+  int optional_fields = 0;   ///< at the end of a line, which may have none of them
   std::string example = {};  ///< the fields of a line (io/registry.h), or empty
 };
 
@@ -108,9 +112,16 @@ ListedEdge<E> read_listed_edge(FieldReader& in) {
   constexpr int kRows = detail::kRows<detail::Result<E, V...>>;
   int rows = kRows;
   if constexpr (kRows == kDynamic) rows = static_cast<int>(edge.measurement.size());
-  ToUpperTriangle to_upper_triangle = nullptr;
-  if constexpr (requires { &Fields::to_upper_triangle; }) to_upper_triangle = &Fields::to_upper_triangle;
-  UncheckedInformation information = read_unchecked_information(in, rows, to_upper_triangle);
+  UncheckedInformation information = [&]() -> UncheckedInformation {
+    if constexpr (requires { Fields::information(edge); }) {
+      return {Fields::information(edge), rows, in.place()};
+    } else {
+      ToUpperTriangle to_upper_triangle = nullptr;
+      if constexpr (requires { &Fields::to_upper_triangle; }) to_upper_triangle = &Fields::to_upper_triangle;
+      return read_unchecked_information(in, rows, to_upper_triangle);
+    }
+  }();
+  if constexpr (requires { Fields::read_rest(edge, in); }) Fields::read_rest(edge, in);
   return {std::move(edge), std::move(information)};
 }
 
@@ -142,13 +153,34 @@ EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in
 
 template <class E>
 void write_edge(const Graph& graph, EdgeRef ref, FieldWriter& out) {
-  EdgeFields<E>::write(graph.measurement(EdgeHandle<E>{ref}), out);
-  write_information(graph.information(ref), out);
+  const E& edge = graph.measurement(EdgeHandle<E>{ref});
+  EdgeFields<E>::write(edge, out);
+  if constexpr (requires { EdgeFields<E>::information(edge); }) {
+    require_information(graph.information(ref), EdgeFields<E>::information(edge), type_name<E>());
+  } else {
+    write_information(graph.information(ref), out);
+  }
+  if constexpr (requires { EdgeFields<E>::write_rest(edge, out); }) EdgeFields<E>::write_rest(edge, out);
 }
+
+template <class E>
+void write_rest(const Graph& graph, EdgeRef ref, FieldWriter& out) {
+  EdgeFields<E>::write_rest(graph.measurement(EdgeHandle<E>{ref}), out);
+}
+
+template <class Fields>
+inline constexpr int kOptionalFields = [] {
+  if constexpr (requires { Fields::kOptionalFields; }) {
+    return Fields::kOptionalFields;
+  } else {
+    return 0;
+  }
+}();
 
 template <class Fields, class T>
 Tag vertex_tag(std::string name) {
   Tag tag{std::move(name), Tag::Kind::kVertex, typeid(TypedVertexPool<T>), {}};
+  tag.optional_fields = kOptionalFields<Fields>;
   tag.read_vertex = [](Graph& graph, Id id, FieldReader& in) -> VertexRef {
     T value = Fields::read(in);
     in.expect_end();
@@ -175,9 +207,16 @@ Tag parameter_tag(std::string name) {
 template <class Fields, class E, class... V>
 Tag edge_tag(std::string name) {
   Tag tag{std::move(name), Tag::Kind::kEdge, typeid(TypedEdgePool<E, Strip<V>...>), {argument<V>()...}};
+  tag.optional_fields = kOptionalFields<Fields>;
   tag.check_edge = &check_edge<Fields, E, Strip<V>...>;
   tag.read_edge = &read_edge<Fields, E, Strip<V>...>;
   tag.write_edge = &write_edge<E>;
+  using Written = EdgeFields<E>;
+  tag.lists_information = !requires(const E& edge) {
+    Written::information(edge);
+  };
+  if constexpr (requires(const E& edge, FieldWriter& out) { Written::write_rest(edge, out); })
+    tag.write_rest = &write_rest<E>;
   return tag;
 }
 

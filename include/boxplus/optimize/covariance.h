@@ -88,9 +88,10 @@ class [[nodiscard]] Covariance {
 /// requested one): fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
 ///
 /// The function linearizes once, and analyzes and factorizes H once by a block Cholesky in double. Then it
-/// performs two triangular solves per tangent dimension of `vertices`. If it is cheaper, it instead computes
-/// those entries of H⁻¹ that are in the nonzero pattern of the factor; this takes about as long as three
-/// factorizations, and the memory of a second factor.
+/// substitutes forward along the paths from `vertices` to the root of the elimination tree. If it is cheaper,
+/// it instead computes those entries of H⁻¹ that are in the nonzero pattern of the factor; this takes about
+/// as long as three factorizations, and the memory of a second factor. For several queries about the same
+/// graph, Optimizer::covariance() is faster, because it keeps the plan and the factor.
 Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options = {});
 Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices,
                       const Options& options = {});

@@ -55,8 +55,18 @@ class Optimizer {
   [[nodiscard]] Report run(Algorithm& algorithm);
   void run(Algorithm& algorithm, Report& report);
 
-  /// Covariances at the current estimates: boxplus::covariance() with the options of this optimizer.
+  /// Covariances at the current estimates: boxplus::covariance() with the options of this optimizer, up to
+  /// rounding. Uses the plan and the elimination order of the last run if the structure of the graph and the
+  /// options have not changed since. Keeps the factor of H until H changes, so that further queries only read
+  /// the part of the factor on the paths from `vertices` to the root of the elimination tree.
+  ///
+  /// The result is never out of date. If the graph contains only SE2, SE3, points, `Between` and observations
+  /// of points, and no kernels, each query compares estimates, measurements and weights with those of the
+  /// factor. Otherwise, it linearizes all edges and compares H.
   [[nodiscard]] Covariance covariance(std::span<const VertexRef> vertices) const;
+  /// Likewise boxplus::marginal_covariances(). For all vertices, the first query after a change takes about
+  /// as long as four factorizations. The inverse is kept with the factor.
+  [[nodiscard]] Covariance marginal_covariances(std::span<const VertexRef> vertices) const;
   /// The cross-covariance of two vertices or, if a is b, the marginal covariance. If there is no covariance,
   /// throws Error with the reason.
   [[nodiscard]] Eigen::MatrixXd covariance(VertexRef a, VertexRef b) const {

@@ -7,12 +7,14 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "boxplus/graph/handle.h"
 #include "boxplus/linear/linear_solver_kind.h"
 #include "boxplus/linearize/gauge.h"
+#include "boxplus/optimize/verdict.h"
 
 namespace boxplus {
 
@@ -113,10 +115,11 @@ struct Options {
   double initial_lambda = 0;
   double initial_radius = 0;  ///< dogleg: first radius; 0: unbounded, so the first trial is Gauss-Newton
   /// The relative residual at which iterative linear solvers and iterative refinement stop (the forcing
-  /// term). With a factor in float, values below 1e-6 are raised to 1e-6. If LinearSolverKind::kAutomatic
-  /// chooses pcg, values below 0.1 are raised to 0.1, because rough steps are so much cheaper that the run
-  /// ends sooner.
-  double linear_tolerance = 1e-10;
+  /// term). 0 means 0.01 if `linear_solver` is kPcg and vertices are eliminated, because rough steps of
+  /// bundle adjustment are so much cheaper that the run ends sooner; otherwise, 0 means 1e-10. With a factor
+  /// in float, values below 1e-6 are raised to 1e-6. If LinearSolverKind::kAutomatic chooses pcg, values
+  /// below 0.1 are raised to 0.1.
+  double linear_tolerance = 0;
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)
 
@@ -128,6 +131,11 @@ struct Options {
   /// If not empty, only these vertices move, and only edges that contain at least one of them take part.
   std::vector<VertexRef> vertices = {};
   std::vector<EdgeRef> edges = {};  ///< if not empty, only these edges take part
+
+  /// If set, these edges may be false: each run is that of find_outliers(), whose other options keep their
+  /// defaults. Report::verdicts has the result. Such a run plans anew, takes no custom algorithm, and needs
+  /// empty `vertices`.
+  std::optional<detail::Suspects> outliers = {};
 };
 
 }  // namespace boxplus

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds false loop closures in pose graphs, with a verdict for each closure.
+// Finds false measurements: loop closures of pose graphs, or edges of any kind, with a verdict for each.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/optimize/verdict.h"
 
 namespace boxplus {
 
-enum class Verdict : std::uint8_t {
-  kInlier,    ///< the closure agrees with the map; it takes part in the final run
-  kOutlier,   ///< the closure is false
-  kUndecided  ///< not enough evidence; it takes no part in the final run, unless it bridges a gap
-};
-std::string_view to_string(Verdict verdict);
+using detail::EdgeVerdict;
+using detail::Suspects;
+using detail::to_string;
+using detail::Verdict;
 
 struct OutlierOptions {
-  /// The options of all runs. `level` and `edges` choose the edges to use and to judge. `start` and
-  /// `max_iterations` have no effect on the search: it starts from the odometry, and only the final run
-  /// counts iterations. `callback` is called by the final run. `time_limit_s` limits each run, and `stop`
-  /// ends the search. `vertices` must be empty.
+  /// The options of all runs. `level` and `edges` choose the edges to use and to judge. `max_iterations` has
+  /// no effect on the search, because only the final run counts iterations. `start` has no effect if the
+  /// search starts from odometry. `callback` is called by the final run. `time_limit_s` limits each run and,
+  /// if all edges are suspects, the search, and `stop` ends the search. `vertices` must be empty,
+  /// and `outliers` has no effect.
   Options options = {};
-  /// The probability that the chi2 of a true closure with Gaussian noise exceeds the limit above which a
-  /// closure is rejected. In (1e-9, 1).
+  Suspects suspects = Suspects::kLoopClosures;
+  /// The probability that the chi2 of a true edge with Gaussian noise exceeds the limit above which an
+  /// edge is rejected. In (1e-9, 1).
   double false_alarm = 2e-4;
   /// The evidence for a closure, as the natural logarithm of an odds ratio, above which it counts as certain.
   /// The odds compare "true" with "anywhere on the map". Positive.
@@ -37,37 +37,27 @@ struct OutlierOptions {
   int window = 40;
 };
 
-/// The verdict on one closure.
-struct EdgeVerdict {
-  EdgeRef edge;
-  Id from = 0, to = 0;  ///< the ids of its two poses; `from` is the lower one
-  Verdict verdict = Verdict::kUndecided;
-  double weight = 0;  ///< the factor of its Ω in the final run: 1 if it takes part, otherwise 0
-  double chi2 = 0;    ///< eᵀΩe at the final estimates
-  /// Whether it agrees with a neighboring closure: the cycle through both closures and the odometry between
-  /// their ends closes, to within the uncertainty.
-  bool supported = false;
-};
-
 struct [[nodiscard]] OutlierReport {
+  Suspects suspects = Suspects::kLoopClosures;
   Report report;                      ///< of the final run, in which only the accepted edges take part
-  std::vector<EdgeVerdict> verdicts;  ///< one for each closure, in the order of Graph::all_edges()
-  /// The factor of the noise variances that explains the accepted closures. If it is 1, all Ω fit the errors.
+  std::vector<EdgeVerdict> verdicts;  ///< one for each suspect, in the order of Graph::all_edges()
+  /// The factor of the noise variances that explains the accepted suspects. If it is 1, all Ω fit the errors.
   double noise_scale = 1;
   /// One sentence about a limitation of the result, or empty.
   std::string note;
 
   std::size_t count(Verdict verdict) const;
-  /// The closures with this verdict.
+  /// The suspects with this verdict.
   std::vector<EdgeRef> edges(Verdict verdict) const;
 };
 
-/// Optimizes a pose graph without its false loop closures.
+/// Optimizes a graph without its false edges, and restores their kernels and enabled flags; no edge is
+/// removed. Disabled edges are ignored. Throws InvalidArgument if `options` are out of their ranges.
 ///
-/// A closure is an edge that measures the full motion between two poses that are not neighbors in the order
-/// of ids, and whose Ω is regular. All other edges are trusted: odometry, observations of landmarks, priors.
-/// Half of the closures may be false, and false closures may agree with each other in small groups. The
-/// method:
+/// Suspects::kLoopClosures, for pose graphs. A closure is an edge that measures the full motion between two
+/// poses that are not neighbors in the order of ids, and whose Ω is regular. All other edges are trusted:
+/// odometry, observations of landmarks, priors. Half of the closures may be false, and false closures may
+/// agree with each other in small groups. The method:
 ///
 ///   1. The estimates follow the odometry, which false closures cannot distort.
 ///   2. Closures between neighboring poses are tested in pairs. If two of them close a cycle, both are
@@ -85,8 +75,7 @@ struct [[nodiscard]] OutlierReport {
 /// are none, the gap is bridged by closures that cannot be judged: they are kept with Verdict::kUndecided and
 /// weight 1, and `note` says so.
 ///
-/// Edges keep their kernels and enabled flags; no edge is removed. Disabled edges are ignored. Throws
-/// InvalidArgument if `options` are out of their ranges, and if the graph has closures but no odometry.
+/// Throws InvalidArgument if the graph has closures but no odometry.
 ///
 /// If most paths between poses are too uncertain to test closures, no closure is an outlier only because its
 /// error is large, and `note` says so. If Options::stop ends the search, all verdicts are kUndecided.
@@ -97,6 +86,18 @@ struct [[nodiscard]] OutlierReport {
 ///
 /// `report` is about the accepted edges only: it may say "converged" although closures are undecided and the
 /// map is wrong. `note` then says so.
+///
+/// Suspects::kAll, for graphs of all kinds. Σ min(e², c²) is minimized instead of Σ e² = Σ eᵀΩe, where c² is
+/// the limit of OutlierOptions::false_alarm for the rows of the edge, times the scale of the noise if this
+/// exceeds one. The scale of the noise is such that half of the accepted edges are below their median. If it
+/// is below 1/250, c² becomes smaller at the end: 250 times that scale. The sum is minimized through a
+/// sequence of functions, of which the first one grows like |e| and the last one is min(e², c²) (graduated
+/// non-convexity: Yang et al., RA-L 2020). The starts are the result of the search for false loop closures,
+/// if there is odometry, and Options::start; the result counts in which the accepted edges are most likely.
+/// An edge is an outlier if e² > c² at the end. If no more rows than needed measure a vertex, its edges are
+/// undecided, because they fit whatever they measure. If more than half of the edges are rejected, `report`
+/// is not converged (Report::Reason::kRejectedEdges). Takes about as long as 30 to 60 iterations, plus that
+/// search and the final run.
 OutlierReport find_outliers(Graph& graph, const OutlierOptions& options = {});
 
 }  // namespace boxplus

@@ -11,6 +11,7 @@
 
 #include "boxplus/graph/jacobian_source.h"
 #include "boxplus/linear/linear_statistics.h"
+#include "boxplus/optimize/finding.h"
 #include "boxplus/optimize/options.h"
 
 namespace boxplus {
@@ -113,6 +114,15 @@ struct [[nodiscard]] Report {
   GaugeReport gauge;
   RejectionReport rejection;
   std::vector<IterationRecord> records;  ///< one for each of these iterations
+  /// If Options::outliers is set: a verdict for each suspect, in the order of Graph::all_edges(), and one
+  /// sentence about a limitation of the search, or empty. All other facts are about the final run, in which
+  /// only the accepted edges take part.
+  std::vector<detail::EdgeVerdict> verdicts;
+  std::string outlier_note;
+  /// Says why the run failed, as diagnose() does at the final estimates, within the time limit. Empty unless
+  /// no step could be computed, no step was found, or the result needs edges that were rejected or whose
+  /// weights are lost.
+  std::vector<detail::Finding> findings;
 
   std::string_view algorithm, linear_solver;
   /// The vertices that move: those of active edges, without fixed vertices and without the vertices

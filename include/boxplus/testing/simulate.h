@@ -4,7 +4,7 @@
 // The same options give the same graph with every compiler, because the random number generator is part of
 // the library. The covariances of the noise are the inverses of the edges' information matrices. So without
 // outliers, chi2 at the true estimates is about the number of rows of all errors. The first pose is fixed at
-// its true place; the initial estimates of all other vertices come from the odometry.
+// its true place; the initial estimates of the other poses and of the landmarks come from the odometry.
 #pragma once
 
 #include <array>
@@ -23,10 +23,13 @@ enum class World : std::uint8_t {
   kManhattan,  ///< a random walk through a plane grid of streets, with loop closures at crossings
   kStreets,    ///< a drive through every street of a town, 2 to 4 times, with at least 100 poses between
                ///< crossings and loop closures to places visited before; about 4 edges per pose
-  kCity        ///< a drive as in kStreets, but with short streets, and landmarks in place of loop closures
+  kCity,       ///< a drive as in kStreets, but with short streets, and landmarks in place of loop closures
+  kPlanes,     ///< flights to and fro through rooms; a sensor, whose pose on the robot is unknown, sees the
+               ///< walls
+  kLines       ///< the same flights; the sensor sees the edges of the rooms, and its pose is a parameter
 };
-inline constexpr std::array kWorlds{World::kSphere,    World::kTorus,   World::kGrid,
-                                    World::kManhattan, World::kStreets, World::kCity};
+inline constexpr std::array kWorlds{World::kSphere,  World::kTorus, World::kGrid,   World::kManhattan,
+                                    World::kStreets, World::kCity,  World::kPlanes, World::kLines};
 std::string_view to_string(World world);
 
 struct SimulationOptions {
@@ -41,7 +44,7 @@ struct SimulationOptions {
 
 enum class EdgeKind : std::uint8_t {
   kOdometry,     ///< odometry from a pose to the next pose
-  kRecognition,  ///< a loop closure, or an observed landmark
+  kRecognition,  ///< a loop closure, an observed landmark, or an absolute measurement
   kOutlier       ///< a loop closure or observation of a wrong place
 };
 

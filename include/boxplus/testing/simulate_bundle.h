@@ -22,9 +22,14 @@ namespace boxplus {
 enum class BundleShape : std::uint8_t {
   kRing,    ///< cameras on a ring around an object, which look at it; any two near cameras share points
   kStreet,  ///< a car that looks ahead, drives through the streets of a town, and never returns
-  kCity     ///< the same in a small town: it drives through each street about three times
+  kCity,    ///< the same in a small town: it drives through each street about three times
+  /// Photos of the sights around a square, without any order. Some sights are in far more photos than others.
+  /// Most points have few observations, and a few points are in a large part of the photos. So almost half
+  /// of all pairs of cameras share points.
+  kCollection
 };
-inline constexpr std::array kBundleShapes{BundleShape::kRing, BundleShape::kStreet, BundleShape::kCity};
+inline constexpr std::array kBundleShapes{BundleShape::kRing, BundleShape::kStreet, BundleShape::kCity,
+                                          BundleShape::kCollection};
 std::string_view to_string(BundleShape shape);
 
 /// The vertices that contain intrinsic parameters.
@@ -71,9 +76,9 @@ struct BundleSimulation {
 };
 
 /// Takes time and memory in proportion to the number of observations: for 10 million, about 10 seconds
-/// and 1.1 times the memory of the graph. Throws InvalidArgument for fewer than 2 cameras, no points, a track
-/// length below 2, negative noise, a fraction of outliers outside [0, 1], and if no two cameras see common
-/// points.
+/// and 1.1 times the memory of the graph. (A collection also takes time in proportion to cameras times
+/// points.) Throws InvalidArgument for fewer than 2 cameras, no points, a track length below 2, negative
+/// noise, a fraction of outliers outside [0, 1], and if no two cameras see common points.
 BundleSimulation simulate_bundle(BundleShape shape, const BundleOptions& options = {});
 
 }  // namespace boxplus

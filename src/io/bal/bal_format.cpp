@@ -60,8 +60,12 @@ bool begins_like_bal(std::string_view text) {
 }  // namespace
 
 FileFormat bal_format() {
-  return {
-      .name = "BAL", .extension = ".bal", .recognize = begins_like_bal, .read = read_bal, .write = write_bal};
+  return {.name = "BAL",
+          .extension = ".bal",
+          .recognize = begins_like_bal,
+          .read = read_bal,
+          .write = write_bal,
+          .losses = bal_losses};
 }
 
 }  // namespace boxplus

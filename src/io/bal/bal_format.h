@@ -11,6 +11,9 @@
 // them, and are marked to be eliminated. The observations are edges Reprojection<BalCamera> with Ω = I.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "boxplus/io/file_format.h"
 #include "boxplus/types/ba.h"
 
@@ -25,5 +28,7 @@ inline constexpr int kBalCameraValues = 9;
 
 GraphFile read_bal(const TextSource& text, const ReadOptions& options);
 void write_bal(const GraphFileView& file, const WriteOptions& options, TextSink sink);
+/// See losses().
+std::vector<std::string> bal_losses(const GraphFileView& file);
 
 }  // namespace boxplus

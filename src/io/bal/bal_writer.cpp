@@ -12,6 +12,7 @@
 #include "io/colmap/graph_model.h"
 #include "io/edges_to_write.h"
 #include "io/moderate_pose.h"
+#include "io/reprojection_losses.h"
 #include "io/written_errors.h"
 
 namespace boxplus {
@@ -22,7 +23,7 @@ using BalEdgePool = detail::TypedEdgePool<BalEdge, BalVertex, Vector3>;
 [[noreturn]] void refuse(const std::string& what) {
   throw InvalidArgument(
       "cannot write BAL's .bal: expected vertices Product<SE3, BalCamera> and Vector3, and edges "
-      "Reprojection<BalCamera> between them with the identity as information, got " +
+      "Reprojection<BalCamera> between them, got " +
       what);
 }
 
@@ -32,14 +33,17 @@ bool has_colmap_cameras(const Graph& graph) {
                      [](const auto& pool) { return camera_type_of(*pool) && pool->alive_count() > 0; });
 }
 
+bool is_bal_edge(const Graph& graph, EdgeRef edge) {
+  return dynamic_cast<const BalEdgePool*>(graph.edge_pools()[edge.pool].get()) != nullptr;
+}
+
 class BalWriter {
  public:
   explicit BalWriter(const GraphFileView& file) : graph_(file.graph), edges_(edges_to_write(file)) {
-    std::erase(edges_, EdgeRef{});
+    std::erase_if(edges_, [&](EdgeRef edge) { return edge == EdgeRef{} || !is_bal_edge(graph_, edge); });
     if (graph_.parameter_count() > 0) refuse("a parameter");
     for (const auto& pool : graph_.vertex_pools()) index_.emplace_back(pool->slots());
     for (const VertexRef& vertex : graph_.all_vertices()) number(vertex);
-    for (const EdgeRef& edge : edges_) check(edge);
     check_errors();
   }
 
@@ -80,19 +84,6 @@ class BalWriter {
     std::vector<VertexRef>& list = is_camera ? cameras_ : points_;
     index_[vertex.pool][vertex.slot] = static_cast<std::int64_t>(list.size());
     list.push_back(vertex);
-  }
-
-  void check(const EdgeRef& edge) const {
-    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-    const auto name = [&] {
-      std::string ids;
-      for (const VertexRef& vertex : graph_.vertices(edge)) ids += fmt::format(" {}", graph_.id(vertex));
-      return fmt::format("an edge {} of the vertices{}", pool.type_name(), ids);
-    };
-    if (!dynamic_cast<const BalEdgePool*>(&pool)) refuse(name());
-    const Information::View omega = graph_.information(edge);
-    if (omega(0, 0) != 1 || omega(1, 1) != 1 || omega(0, 1) != 0)
-      refuse(name() + " with another information");
   }
 
   /// Refuses a graph if a reader of the file would have other poses or errors.
@@ -151,6 +142,11 @@ void write_bal(const GraphFileView& file, const WriteOptions& /*options*/, TextS
   if (!has_colmap_cameras(file.graph)) return BalWriter(file).write(sink);
   const GraphFile converted = bal_from_model(model_of(file));
   BalWriter({converted.graph, converted.edges}).write(sink);
+}
+
+std::vector<std::string> bal_losses(const GraphFileView& file) {
+  if (has_colmap_cameras(file.graph)) return model_losses(file);
+  return reprojection_losses(file.graph, [&](EdgeRef edge) { return is_bal_edge(file.graph, edge); });
 }
 
 }  // namespace boxplus

@@ -126,7 +126,8 @@ FileFormat format(const char* name, bool is_text) {
                  .check = [is_text](const GraphFileView& file,
                                     const std::string& folder) { check(model_of(file), folder, is_text); },
                  .write = [is_text](const GraphFileView& file,
-                                    const std::string& folder) { write(file, folder, is_text); }}};
+                                    const std::string& folder) { write(file, folder, is_text); }},
+      .losses = model_losses};
 }
 
 }  // namespace

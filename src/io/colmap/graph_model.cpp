@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "boxplus/io/graph_file.h"
@@ -13,6 +14,7 @@
 #include "io/colmap/model_reader.h"
 #include "io/edges_to_write.h"
 #include "io/moderate_pose.h"
+#include "io/reprojection_losses.h"
 #include "io/written_errors.h"
 
 namespace boxplus {
@@ -74,6 +76,12 @@ class ModelMaker {
     static const SparseModel no_model;
     old_ = file.model ? file.model : &no_model;
     for (const auto& pool : graph_.vertex_pools()) entries_.emplace_back(pool->slots());
+    for (const EdgeRef& edge : edges_) {
+      sights_.push_back(edge == EdgeRef{} ? std::nullopt : roles_.sight(edge));
+      if (!sights_.back()) continue;
+      for (const VertexRef& vertex : {sights_.back()->image, sights_.back()->point})
+        entry(vertex).has_sight = true;
+    }
     is_taken_.resize(edges_.size());
   }
 
@@ -96,6 +104,7 @@ class ModelMaker {
   struct Entry {
     std::size_t index = kNone;   // among the cameras, images or points of the model
     std::size_t camera = kNone;  // of an image, if it has edges: index among the cameras
+    bool has_sight = false;      // of an image or a point
     bool is_changed = true;      // since it was read
   };
   Entry& entry(VertexRef vertex) { return entries_[vertex.pool][vertex.slot]; }
@@ -128,10 +137,16 @@ class ModelMaker {
   void add_new_elements() {
     for (const auto& vertices : {graph_.all_parameters(), graph_.all_vertices()}) {
       for (const VertexRef& vertex : vertices) {
+        if (is_left_out(vertex)) continue;
         roles_.require_role(vertex);
         if (entry(vertex).index == kNone) add_new(vertex);
       }
     }
+  }
+  /// A constant of edges that are no reprojection errors, such as a lever arm.
+  bool is_left_out(VertexRef vertex) {
+    return graph_.vertex_pools()[vertex.pool]->parameter(vertex.slot) &&
+           roles_.role(vertex) != Role::kCamera && !entry(vertex).has_sight;
   }
   void add_new(VertexRef vertex) {
     switch (roles_.role(vertex)) {
@@ -148,14 +163,14 @@ class ModelMaker {
     const CameraType* type = camera_type_of(*graph_.vertex_pools()[vertex.pool]);
     const std::span<const double> values = type->values(graph_, vertex);
     std::vector<double> parameters(values.begin(), values.end());
-    entry(vertex) = {model_.cameras.size(), kNone, camera.parameters != parameters};
+    entry(vertex) = {.index = model_.cameras.size(), .is_changed = camera.parameters != parameters};
     camera.model = type->name;
     camera.parameters = std::move(parameters);
     model_.cameras.push_back(std::move(camera));
   }
 
   void add(Image image, VertexRef vertex) {
-    Entry& place = entry(vertex) = {model_.images.size()};
+    Entry& place = entry(vertex) = {.index = model_.images.size()};
     if (roles_.role(vertex) == Role::kBalImage) {
       const BalVertex& estimate = graph_.estimate(graph_.typed<BalVertex>(vertex));
       const Vector3& values = estimate.get<1>().parameters;
@@ -173,7 +188,7 @@ class ModelMaker {
 
   void add(Point point, VertexRef vertex) {
     const Vector3& estimate = graph_.estimate(graph_.typed<Vector3>(vertex));
-    entry(vertex) = {model_.points.size(), kNone, Vector3(point.position.data()) != estimate};
+    entry(vertex) = {.index = model_.points.size(), .is_changed = Vector3(point.position.data()) != estimate};
     point.position = {estimate[0], estimate[1], estimate[2]};
     model_.points.push_back(std::move(point));
   }
@@ -197,8 +212,8 @@ class ModelMaker {
   }
 
   bool take_old_edge(std::size_t k, std::size_t image, std::size_t position) {
-    if (edges_[k] == EdgeRef{}) return false;
-    const Sight sight = roles_.sight(edges_[k]);
+    if (!sights_[k]) return false;
+    const Sight& sight = *sights_[k];
     const Entry& point = entry(sight.point);
     Feature& feature = model_.images[image].features[position];
     if (entry(sight.image).index != image || model_.points[point.index].id != feature.point) return false;
@@ -225,8 +240,8 @@ class ModelMaker {
 
   void take_new_edges() {
     for (std::size_t k = 0; k < edges_.size(); ++k) {
-      if (edges_[k] == EdgeRef{} || is_taken_[k]) continue;
-      const Sight sight = roles_.sight(edges_[k]);
+      if (!sights_[k] || is_taken_[k]) continue;
+      const Sight& sight = *sights_[k];
       Image& image = model_.images[entry(sight.image).index];
       const std::size_t index = entry(sight.point).index;
       Point& point = model_.points[index];
@@ -301,7 +316,7 @@ class ModelMaker {
     for (const Seen& seen : seen_) {
       Mean& mean = means[seen.point];
       if (!mean.is_wanted) continue;
-      mean.sum += std::sqrt(graph_.chi2(seen.edge));
+      mean.sum += Vector2(graph_.error(seen.edge).data()).norm();
       ++mean.count;
     }
     for (std::size_t i = 0; i < means.size(); ++i) {
@@ -322,8 +337,9 @@ class ModelMaker {
   std::vector<EdgeRef> edges_;
   const SparseModel* old_ = nullptr;
   SparseModel model_;
-  std::vector<std::vector<Entry>> entries_;  // by pool and slot
-  std::vector<bool> is_taken_;               // by position in edges_
+  std::vector<std::vector<Entry>> entries_;   // by pool and slot
+  std::vector<std::optional<Sight>> sights_;  // by position in edges_
+  std::vector<bool> is_taken_;                // by position in edges_
   std::vector<Seen> seen_;
   std::vector<std::size_t> changed_tracks_;  // indices of points
   std::size_t old_cameras_ = 0, old_images_ = 0;
@@ -336,6 +352,11 @@ class ModelMaker {
 
 SparseModel model_of(const GraphFileView& file) {
   return ModelMaker(file).make();
+}
+
+std::vector<std::string> model_losses(const GraphFileView& file) {
+  const GraphRoles roles(file.graph);
+  return reprojection_losses(file.graph, [&](EdgeRef edge) { return roles.sight(edge).has_value(); });
 }
 
 SparseModel sparse_model(const GraphFile& file) {

@@ -22,12 +22,6 @@ GraphRoles::Role role_of(const detail::VertexPool& pool, const CameraType* type)
                                   : Role::kOther;
 }
 
-std::string name_of(const Graph& graph, EdgeRef edge) {
-  std::string ids;
-  for (const VertexRef& vertex : graph.vertices(edge)) ids += fmt::format(" {}", graph.id(vertex));
-  return fmt::format("an edge {} of the vertices{}", graph.edge_pools()[edge.pool]->type_name(), ids);
-}
-
 const Vector2* bal_pixel(const Graph& graph, EdgeRef edge) {
   using Pool = detail::TypedEdgePool<BalEdge, BalVertex, Vector3>;
   const auto* pool = dynamic_cast<const Pool*>(graph.edge_pools()[edge.pool].get());
@@ -39,7 +33,7 @@ const Vector2* bal_pixel(const Graph& graph, EdgeRef edge) {
 void refuse_for_colmap(const std::string& what) {
   throw InvalidArgument(
       "cannot write a COLMAP model: expected cameras of COLMAP's models, poses SE3, points Vector3 and edges "
-      "Reprojection between them with the identity as information, or a BAL problem, got " +
+      "Reprojection between them, or a BAL problem, got " +
       what);
 }
 
@@ -56,15 +50,12 @@ void GraphRoles::require_role(VertexRef vertex) const {
                                 graph_.vertex_pools()[vertex.pool]->type_name()));
 }
 
-Sight GraphRoles::sight(EdgeRef edge) const {
+std::optional<Sight> GraphRoles::sight(EdgeRef edge) const {
   const std::vector<VertexRef> vertices = graph_.vertices(edge);
   const CameraType* type = vertices.size() == 3 ? types_[vertices[2].pool] : nullptr;
   const Vector2* pixel = type ? type->pixel(graph_, edge) : bal_pixel(graph_, edge);
-  if (!pixel) refuse_for_colmap(name_of(graph_, edge));
-  const Information::View omega = graph_.information(edge);
-  if (omega(0, 0) != 1 || omega(1, 1) != 1 || omega(0, 1) != 0)
-    refuse_for_colmap(name_of(graph_, edge) + " with another information");
-  return {vertices[0], vertices[1], type ? vertices[2] : vertices[0], *pixel};
+  if (!pixel) return std::nullopt;
+  return Sight{vertices[0], vertices[1], type ? vertices[2] : vertices[0], *pixel};
 }
 
 }  // namespace boxplus

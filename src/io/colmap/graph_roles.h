@@ -2,6 +2,7 @@
 // The cameras, images, points and observations of a graph of bundle adjustment.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,8 @@ class GraphRoles {
   Role role(VertexRef vertex) const { return roles_[vertex.pool]; }
   /// Throws InvalidArgument if the vertex has no role in bundle adjustment.
   void require_role(VertexRef vertex) const;
-  /// Throws InvalidArgument if the edge is no reprojection error, or its information is not the identity.
-  Sight sight(EdgeRef edge) const;
+  /// None if the edge is no reprojection error.
+  std::optional<Sight> sight(EdgeRef edge) const;
 
  private:
   const Graph& graph_;

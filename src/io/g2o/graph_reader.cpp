@@ -6,11 +6,14 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/graph/make_room.h"
+#include "boxplus/io/data.h"
 #include "io/g2o/element_reader.h"
 #include "io/g2o/g2o_format.h"
 #include "io/g2o/line_block.h"
+#include "io/g2o/notes.h"
 #include "io/g2o/unknown_tags.h"
 #include "io/pipeline.h"
+#include "io/without_place.h"
 
 namespace boxplus {
 namespace {
@@ -23,18 +26,6 @@ struct WaitingLine {
   GraphFile::KeptLine::Place place;
   Id vertex;
 };
-
-/// The message of an error without its prefix "file:line:column: ".
-std::string without_place(const InputError& error, std::string_view file) {
-  const std::string place = fmt::format("{}:{}:{}: ", file, error.line(), error.column());
-  const std::string_view text = error.what();
-  return std::string(text.starts_with(place) ? text.substr(place.size()) : text);
-}
-
-/// "1 edge", "3 edges".
-std::string counted(std::int64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 /// Builds a GraphFile. All workers split blocks into lines and numbers. The calling thread adds the finished
 /// blocks to the graph in the order of the file. So the elements have the order of the file, except that
@@ -85,15 +76,20 @@ class GraphReader {
   void take(const Line& line) {
     switch (line.kind) {
       case Line::Kind::kElement:
+        is_owner_skipped_ = false;
         return line.tag->kind == Tag::Kind::kEdge ? take_edge(line) : take_vertex(line);
       case Line::Kind::kFix:
         return take_fix(line);
       case Line::Kind::kUnknown:
-        unknown_.add(line.text, line.number);
+        if (data_tag_of(line.text).empty()) {
+          unknown_.add(line.text, line.number);
+        } else if (is_owner_skipped_) {
+          fields_of(line).fail({}, "the line before it, to which this data belongs, was skipped");
+        }
         [[fallthrough]];
       case Line::Kind::kComment:
         if (place_ == GraphFile::KeptLine::Place::kAfterEdge && !waiting_.empty()) return wait(line);
-        keep(line.text);
+        keep(line);
     }
   }
 
@@ -111,13 +107,15 @@ class GraphReader {
     place_ = GraphFile::KeptLine::Place::kAfterEdge;
     if (!waiting_.empty()) return wait(line);  // edges stay in the order of the file
     FieldReader in = fields_of(line);
+    in.set_policy(options_.indefinite);
     const ElementReader::Edge edge = elements_.read_edge(*line.tag, in);
     if (edge.vertices == VertexIds::Result::kNotYetKnown) return wait(line);
     if (edge.vertices == VertexIds::Result::kUnassigned) {
       ++unassigned_;
-      keep(line.text);
+      keep(line);
     } else {
       file_.edges.push_back(edge.added);
+      if (in.has_indefinite()) ++file_.indefinite;
     }
     add_note_of(in);
   }
@@ -130,13 +128,15 @@ class GraphReader {
   void wait(const Line& line) { waiting_.push_back({line, std::string(line.text), place_, vertex_}); }
 
   void take_waiting() {
+    is_owner_skipped_ = false;
     for (WaitingLine& waiting : std::exchange(waiting_, {})) {
       Line& line = waiting.line;
       line.text = waiting.text;
       line.is_numeric = false;  // the block with the numbers no longer exists
       place_ = waiting.place;
       vertex_ = waiting.vertex;
-      if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // its tag already has a note
+      if (line.kind == Line::Kind::kUnknown && data_tag_of(line.text).empty())
+        line.kind = Line::Kind::kComment;  // its tag already has a note
       guarded(line, [&] { take(line); });
     }
   }
@@ -148,6 +148,7 @@ class GraphReader {
       read_line();
     } catch (const InputError& error) {
       if (!options_.lenient) throw;
+      if (line.kind == Line::Kind::kElement) is_owner_skipped_ = true;
       ++file_.skipped;
       file_.notes.push_back({line.number, without_place(error, text_.name()), error.column(), true});
     }
@@ -165,9 +166,10 @@ class GraphReader {
     if (!in.noted().empty()) file_.notes.push_back({in.line_number(), in.noted()});
   }
 
-  void keep(std::string_view text) {
+  void keep(const Line& line) {
+    std::string_view text = line.text;
     while (text.ends_with('\r')) text.remove_suffix(1);
-    GraphFile::KeptLine kept{place_, 0, std::string(text)};
+    GraphFile::KeptLine kept{place_, 0, std::string(text), line.number};
     if (place_ == GraphFile::KeptLine::Place::kAfterEdge)
       kept.after = static_cast<std::int64_t>(file_.edges.size()) - 1;
     if (place_ == GraphFile::KeptLine::Place::kAfterVertex) kept.after = vertex_;
@@ -179,11 +181,8 @@ class GraphReader {
     unknown_.append_notes(file_.notes);
     std::stable_sort(file_.notes.begin(), file_.notes.end(),
                      [](const auto& a, const auto& b) { return a.line < b.line; });
-    if (unassigned_ > 0) {
-      file_.notes.push_back(
-          {0, fmt::format("{} with the unassigned vertex -1: kept as {}, but not part of the graph",
-                          counted(unassigned_, "edge", "edges"), unassigned_ == 1 ? "it is" : "they are")});
-    }
+    if (unassigned_ > 0) file_.notes.push_back({0, unassigned_note(unassigned_)});
+    if (file_.indefinite > 0) file_.notes.push_back({0, indefinite_note(file_, options_.indefinite)});
     if (file_.vertices_created) {
       file_.notes.push_back(
           {0, fmt::format("the file has edges only: {} an initial guess",
@@ -200,7 +199,8 @@ class GraphReader {
   ElementReader elements_;
   /// The place of the next line that is kept.
   GraphFile::KeptLine::Place place_ = GraphFile::KeptLine::Place::kBegin;
-  Id vertex_ = 0;  // the id of the last vertex that was read
+  Id vertex_ = 0;                  // the id of the last vertex that was read
+  bool is_owner_skipped_ = false;  // the last element was malformed, so data after it belongs to nothing
   std::vector<WaitingLine> waiting_;
   std::size_t blocks_taken_ = 0;
   std::int64_t unassigned_ = 0;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <iterator>
 #include <map>
 
-#include "boxplus/base/error.h"
+#include "boxplus/io/data.h"
 #include "boxplus/io/registry.h"
 #include "io/edges_to_write.h"
 #include "io/g2o/g2o_format.h"
 #include "io/pipeline.h"
+#include "io/tagged_elements.h"
 
 namespace boxplus {
 namespace {
@@ -37,6 +37,8 @@ class GraphWriter {
   }
 
  private:
+  using Lines = std::multimap<std::pair<GraphFile::KeptLine::Place, std::int64_t>, const std::string*>;
+
   /// The number of items to write, in this order: the parameters, the kept lines at the beginning (one item),
   /// the vertices, the kept lines before the first edge (one item), and the edges.
   std::size_t items() const { return parameters_.size() + vertices_.size() + edges_.size() + 2; }
@@ -53,58 +55,64 @@ class GraphWriter {
   }
 
   void format_vertex(VertexRef vertex, std::string& text) const {
-    const Tag* tag = registry_.tag_of(graph_, vertex);
+    const Tag& tag = tag_to_write(registry_, graph_, vertex);
     const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
-    if (!tag) throw_no_tag("vertices", pool.type_name());
     const Id id = graph_.id(vertex);
     FieldWriter out(text);
-    out.token(tag->name);
+    out.token(tag.name);
     out.integer(id);
-    tag->write_vertex(graph_, vertex, out);
+    tag.write_vertex(graph_, vertex, out);
     out.end_line();
     if (pool.parameter(vertex.slot)) return;
+    const auto [first, last] = kept_.equal_range({GraphFile::KeptLine::Place::kAfterVertex, id});
+    const Lines::const_iterator fix = graph_.is_fixed(vertex) ? end_of_data(first, last) : first;
+    append(first, fix, text);
     if (graph_.is_fixed(vertex)) {
       out.token("FIX");
       out.integer(id);
       out.end_line();
     }
-    format_kept(GraphFile::KeptLine::Place::kAfterVertex, id, text);
+    append(fix, last, text);
   }
 
-  void format_edge(EdgeRef edge, std::string& text) const {
-    if (edge == EdgeRef{}) return;
-    const Tag* tag = registry_.tag_of(graph_, edge);
-    if (!tag) throw_no_tag("edges", graph_.edge_pools()[edge.pool]->type_name());
-    FieldWriter out(text);
-    out.token(tag->name);
-    const std::vector<VertexRef> vertices = graph_.vertices(edge);
-    for (const VertexRef& vertex : vertices) out.integer(graph_.id(vertex));
-    const Tag* named = registry_.find(tag->name);
-    if (named != tag && named->shared_parameter.get() == tag) out.integer(graph_.id(vertices.back()));
-    if (tag->arguments.back().is_tail) out.token("||");
-    tag->write_edge(graph_, edge, out);
-    out.end_line();
+  /// The line after the last line of data. A vertex is fixed after its data, as g2o does it.
+  static Lines::const_iterator end_of_data(Lines::const_iterator first, Lines::const_iterator last) {
+    Lines::const_iterator end = first;
+    for (auto line = first; line != last; ++line) {
+      if (!data_tag_of(*line->second).empty()) end = std::next(line);
+    }
+    return end;
   }
 
-  void format_kept(GraphFile::KeptLine::Place place, std::int64_t after, std::string& out) const {
-    if (kept_.empty()) return;
-    const auto [first, last] = kept_.equal_range({place, after});
+  static void append(Lines::const_iterator first, Lines::const_iterator last, std::string& out) {
     for (auto line = first; line != last; ++line) {
       out += *line->second;
       out += '\n';
     }
   }
 
-  [[noreturn]] static void throw_no_tag(const char* what, std::string_view type) {
-    throw InvalidArgument(
-        fmt::format("cannot write {} of type {}: no tag is registered for them", what, type));
+  void format_edge(EdgeRef edge, std::string& text) const {
+    if (edge == EdgeRef{}) return;
+    const Tag& tag = tag_to_write(registry_, graph_, edge);
+    FieldWriter out(text);
+    out.token(tag.name);
+    for (const Id id : ids_to_write(registry_, graph_, tag, edge)) out.integer(id);
+    if (tag.arguments.back().is_tail) out.token("||");
+    tag.write_edge(graph_, edge, out);
+    out.end_line();
+  }
+
+  void format_kept(GraphFile::KeptLine::Place place, std::int64_t after, std::string& out) const {
+    if (kept_.empty()) return;
+    const auto [first, last] = kept_.equal_range({place, after});
+    append(first, last, out);
   }
 
   const Graph& graph_;
   const Registry& registry_;
   std::vector<VertexRef> parameters_, vertices_;
   std::vector<EdgeRef> edges_;
-  std::multimap<std::pair<GraphFile::KeptLine::Place, std::int64_t>, const std::string*> kept_;
+  Lines kept_;
 };
 
 }  // namespace

@@ -24,6 +24,15 @@ void register_slam3d(Registry& registry) {
   registry.edge<Prior<Vector3>, Vector3>("EDGE_POINTXYZ_PRIOR", "2 1 1 1 1 0 0 1 0 1");
   registry.edge<PointsObservation3, SE3, Tail<Vector3>>(
       "EDGE_SE3_LOTSOF_XYZ", "0 2 3 || 2 1 2 3 4 5 6 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
+  registry.edge<OffsetBetween<SE3>, SE3, SE3, SE3>(
+      "EDGE_SE3_CALIB", "0 1 4 1 2 3 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1");
+  registry.vertex<Plane3>("VERTEX_PLANE", "9 0.6 0 0.8 -2 0.2 0.2 0.2");
+  registry.edge<PlaneObservation3, SE3, Plane3, SE3>("EDGE_SE3_PLANE_CALIB",
+                                                     "0 9 4 0.6 0.8 0 -1 0.1 0.1 0.1 1 0 0 1 0 1");
+  registry.edge<PlaneDifference3, Plane3, Plane3>("EDGE_PLANE", "9 10 0 0.5 0 1 1 0 0 0 1 0 0 1 0 1");
+  registry.vertex<Line3>("VERTEX_LINE3D", "11 0 -3 0 0.6 0 0.8");
+  registry.edge<LineObservation3, SE3, Line3, Parameter<SE3>>("EDGE_SE3_LINE3D",
+                                                              "0 11 5 1 0 -2 0 1 0 1 0 0 0 1 0 0 1 0 1");
 }
 
 }  // namespace boxplus

@@ -164,20 +164,28 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
   return result;
 }
 
-/// Whether it is faster to solve for the requested columns than to compute the inverse on the whole pattern.
-/// A solve performs only two operations for each value of L that it reads. So it performs far fewer
-/// operations per second than a factorization.
-bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks) const {
-  constexpr double kSlowdown = 8, kInverseOverFactor = 3;
+/// How to compute blocks of the inverse.
+enum class BlockCholesky::InverseMethod : std::uint8_t { kPaths, kColumns, kPattern };
+
+/// The fastest method. A solve and a path perform only two operations for each value of L that they read, per
+/// column. So they perform far fewer operations per second than a factorization; a path, with several columns
+/// at a time, performs more than a solve.
+BlockCholesky::InverseMethod BlockCholesky::fastest_method(std::span<const InverseRequest> requests,
+                                                           const PathInverse& paths) const {
+  constexpr double kSlowdownOfSolve = 8, kSlowdownOfPaths = 4, kInverseOverFactor = 3;
   std::vector<std::uint32_t> columns;
-  columns.reserve(blocks.size());
-  for (const auto& block : blocks) columns.push_back(block.column);
+  columns.reserve(requests.size());
+  for (const InverseRequest& request : requests) columns.push_back(request.block.column);
   std::sort(columns.begin(), columns.end());
   columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
   double scalars = 0;
   for (const std::uint32_t column : columns) scalars += structure_->dim(column);
-  return kSlowdown * scalars * 4 * static_cast<double>(statistics().factor_nonzeros) <
-         kInverseOverFactor * symbolic_.flops;
+  const double of_solves = kSlowdownOfSolve * scalars * 4 * static_cast<double>(statistics().factor_nonzeros);
+  const double of_paths = kSlowdownOfPaths * paths.flops();
+  const double of_pattern =
+      inverse_.computed() ? std::numeric_limits<double>::infinity() : kInverseOverFactor * symbolic_.flops;
+  if (of_paths <= std::min(of_solves, of_pattern)) return InverseMethod::kPaths;
+  return of_solves < of_pattern ? InverseMethod::kColumns : InverseMethod::kPattern;
 }
 
 bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
@@ -186,15 +194,26 @@ bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, do
     throw InvalidArgument("BlockCholesky::selected_inverse: expected an earlier successful factorize()");
   if (mixed_.allocated() && factorize_again_in_double(stop).status != LinearStatus::kOk) return false;
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
-  if (!inverse_.computed()) {
-    if (columns_are_cheaper(blocks)) return solve_for_inverse(*this, *structure_, requests, stop);
-    inverse_.compute(symbolic_, factor_.arena());
+  const auto read_from_pattern = [&] {
+    std::erase_if(requests, [this](const InverseRequest& request) {
+      return inverse_.read(symbolic_, symbolic_.position[request.block.row],
+                           symbolic_.position[request.block.column], request.out);
+    });
+  };
+  if (inverse_.computed()) read_from_pattern();
+  while (!requests.empty()) {
+    PathInverse paths(symbolic_, requests);
+    switch (fastest_method(requests, paths)) {
+      case InverseMethod::kPaths:
+        return paths.compute(factor_.arena(), stop);
+      case InverseMethod::kColumns:
+        return solve_for_inverse(*this, *structure_, requests, stop);
+      case InverseMethod::kPattern:
+        inverse_.compute(symbolic_, factor_.arena());
+        read_from_pattern();
+    }
   }
-  std::erase_if(requests, [this](const InverseRequest& request) {
-    return inverse_.read(symbolic_, symbolic_.position[request.block.row],
-                         symbolic_.position[request.block.column], request.out);
-  });
-  return solve_for_inverse(*this, *structure_, requests, stop);
+  return true;
 }
 
 LinearStatistics BlockCholesky::statistics() const {

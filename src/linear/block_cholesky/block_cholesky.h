@@ -8,6 +8,7 @@
 #include "linear/block_cholesky/inverse_on_pattern.h"
 #include "linear/block_cholesky/mixed_factor.h"
 #include "linear/block_cholesky/numeric_factor.h"
+#include "linear/block_cholesky/path_inverse.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 
 namespace boxplus {
@@ -59,7 +60,8 @@ class BlockCholesky final : public LinearSolver {
   FactorResult factorize_in_double(const double* values, const Damping& damping, const StopToken& stop);
   FactorResult factorize_again_in_double(const StopToken& stop);
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
-  bool columns_are_cheaper(std::span<const BlockCoordinate> blocks) const;
+  enum class InverseMethod : std::uint8_t;
+  InverseMethod fastest_method(std::span<const InverseRequest> requests, const PathInverse& paths) const;
 
   BlockCholeskyOptions options_;
   AmalgamationRule rule_;

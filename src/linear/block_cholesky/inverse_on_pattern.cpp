@@ -57,11 +57,17 @@ void InverseOnPattern::gather_below(const SymbolicFactor& symbolic, const Front&
   for (std::size_t b = 0; b < rows.size(); ++b) {
     const Front& owner = symbolic.fronts[symbolic.front_of[rows[b]]];
     const std::size_t column = offsets[b] - front.columns, width = symbolic.dim(rows[b]);
+    const std::uint32_t first_scalar = symbolic.offset[owner.first_block];
     const double* z =
-        panels_.data() + owner.panel + std::size_t{symbolic.row_in(owner, rows[b])} * owner.leading;
+        panels_.data() + owner.panel + std::size_t{symbolic.offset[rows[b]] - first_scalar} * owner.leading;
+    std::uint32_t next = owner.row_begin;  // the rows of both fronts ascend
     for (std::size_t a = b; a < rows.size(); ++a) {
       const std::size_t row = offsets[a] - front.columns, height = symbolic.dim(rows[a]);
-      const double* from = z + symbolic.row_in(owner, rows[a]);
+      const double* from = z + symbolic.offset[rows[a]] - first_scalar;
+      if (rows[a] >= owner.end_block) {
+        while (symbolic.row_blocks[next] != rows[a]) ++next;
+        from = z + symbolic.row_offsets[next];
+      }
       for (std::size_t j = 0; j < width; ++j, from += owner.leading) {
         for (std::size_t i = 0; i < height; ++i) {
           below_[row + i + (column + j) * below] = from[i];

@@ -4,6 +4,7 @@
 #include <amd.h>
 #include <camd.h>
 
+#include <array>
 #include <string>
 
 #include "base/paced_stop.h"
@@ -45,7 +46,7 @@ std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<c
 }
 
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                                        const StopToken& stop) {
+                                        const StopToken& stop, DenseRows dense_rows) {
   PacedStop pace(stop);
   const std::vector<int> number = number_free_blocks(structure, last);
   std::vector<int> start{0}, row;
@@ -63,8 +64,11 @@ std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure, std::sp
   row.reserve(1);  // AMD needs a non-null pointer
   if (!free_blocks.empty()) {
     check_room(stop, predicted_seconds(free_blocks.size(), row.size()));
+    std::array<double, AMD_CONTROL> control{};
+    amd_defaults(control.data());
+    if (dense_rows == DenseRows::kOrdered) control[AMD_DENSE] = -1;
     const int status = amd_order(static_cast<int>(free_blocks.size()), start.data(), row.data(),
-                                 permutation.data(), nullptr, nullptr);
+                                 permutation.data(), control.data(), nullptr);
     if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
     if (status < AMD_OK) throw InvalidArgument("amd_ordering: expected sorted columns of distinct rows");
   }

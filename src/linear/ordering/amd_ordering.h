@@ -10,6 +10,12 @@
 
 namespace boxplus {
 
+/// What AMD does with blocks that have more than 10 √n neighbors, of n blocks.
+enum class DenseRows : std::uint8_t {
+  kLast,  ///< puts them last, without ordering them; much faster if only a few blocks of a large graph are so
+  kOrdered  ///< orders them like all others
+};
+
 /// The elimination order of the blocks: order[k] is the block that is eliminated k-th. Uses approximate
 /// minimum degree (AMD; Amestoy, Davis, Duff 1996/2004) on the graph whose nodes are the blocks, so that the
 /// time does not depend on the sizes of the blocks.
@@ -20,7 +26,8 @@ namespace boxplus {
 /// Because AMD cannot be interrupted, this function throws Stopped if AMD is predicted to end after the
 /// deadline of `stop`.
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
-                                        std::span<const std::uint32_t> last = {}, const StopToken& stop = {});
+                                        std::span<const std::uint32_t> last = {}, const StopToken& stop = {},
+                                        DenseRows dense_rows = DenseRows::kLast);
 
 inline constexpr int kIsLast = -1;
 /// Numbers the blocks that may be ordered freely. The blocks of `last` get kIsLast instead of a number.

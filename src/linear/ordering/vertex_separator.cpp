@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 #include <queue>
+#include <utility>
 
 #include "base/paced_stop.h"
 
@@ -111,7 +112,12 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
 class Refiner {
  public:
   Refiner(const WeightedGraph& graph, std::vector<Side>& side, PacedStop& pace)
-      : graph_(graph), side_(side), pace_(pace), locked_(graph.vertices(), 0) {
+      : graph_(graph),
+        side_(side),
+        pace_(pace),
+        locked_(graph.vertices(), 0),
+        near_{std::vector<std::int64_t>(graph.vertices()), std::vector<std::int64_t>(graph.vertices())},
+        move_of_(graph.vertices(), 0) {
     for (std::uint32_t v = 0; v < graph.vertices(); ++v) weight_[side[v]] += graph.weight[v];
     limit_ = static_cast<std::int64_t>(kLargestSide * static_cast<double>(graph.total()));
   }
@@ -142,13 +148,13 @@ class Refiner {
 
   /// The decrease of the separator's weight if v moves to the side `to`. The neighbors of v on the other side
   /// then join the separator.
-  std::int64_t gain(std::uint32_t v, Side to) {
-    std::int64_t pulled = 0;
+  std::int64_t gain(std::uint32_t v, Side to) const { return graph_.weight[v] - near_[other(to)][v]; }
+  void count_near(std::uint32_t v) {
+    near_[kLeft][v] = near_[kRight][v] = 0;
     for (const std::uint32_t u : graph_.neighbors(v)) {
       pace_.step();
-      if (side_[u] == other(to)) pulled += graph_.weight[u];
+      if (side_[u] != kSeparator) near_[side_[u]][v] += graph_.weight[u];
     }
-    return graph_.weight[v] - pulled;
   }
   void propose(std::uint32_t v) {
     pace_.step();
@@ -170,20 +176,32 @@ class Refiner {
     changes_.push_back({v, side_[v]});
     weight_[side_[v]] -= graph_.weight[v];
     weight_[side] += graph_.weight[v];
+    for (const std::uint32_t u : graph_.neighbors(v)) {
+      pace_.step();
+      if (side_[u] != kSeparator) continue;
+      if (side_[v] != kSeparator) near_[side_[v]][u] -= graph_.weight[v];
+      if (side != kSeparator) near_[side][u] += graph_.weight[v];
+    }
     side_[v] = side;
+    if (side == kSeparator) count_near(v);
   }
+  /// Moves v, and proposes every vertex whose gain this changes, once.
   void move(std::uint32_t v, Side to) {
     set_side(v, to);
     locked_[v] = 1;
+    ++moves_;
+    changed_.clear();
+    const auto note = [&](std::uint32_t u) {
+      pace_.step();
+      if (std::exchange(move_of_[u], moves_) != moves_) changed_.push_back(u);
+    };
     for (const std::uint32_t u : graph_.neighbors(v)) {
-      if (side_[u] == other(to)) {
-        set_side(u, kSeparator);
-        propose(u);
-        for (const std::uint32_t w : graph_.neighbors(u)) propose(w);
-      } else {
-        propose(u);
-      }
+      note(u);
+      if (side_[u] != other(to)) continue;
+      set_side(u, kSeparator);
+      for (const std::uint32_t w : graph_.neighbors(u)) note(w);
     }
+    for (const std::uint32_t u : changed_) propose(u);
   }
   /// The side to which the next vertex moves, or kSeparator if no vertex can move.
   Side choose() {
@@ -207,7 +225,10 @@ class Refiner {
   bool pass() {
     std::fill(locked_.begin(), locked_.end(), 0);
     for (auto& queue : queue_) queue = {};
-    for (std::uint32_t v = 0; v < graph_.vertices(); ++v) propose(v);
+    for (std::uint32_t v = 0; v < graph_.vertices(); ++v) {
+      if (side_[v] == kSeparator) count_near(v);
+      propose(v);
+    }
     changes_.clear();
     const double before = cost();
     double lowest = before;
@@ -234,9 +255,14 @@ class Refiner {
   std::vector<Side>& side_;
   PacedStop& pace_;
   std::vector<std::uint8_t> locked_;
+  /// For each vertex of the separator: the weight of its neighbors on each side.
+  std::array<std::vector<std::int64_t>, 2> near_;
   std::int64_t weight_[3] = {0, 0, 0}, limit_ = 0;
   std::array<std::priority_queue<Candidate>, 2> queue_;
   std::vector<Change> changes_;
+  std::vector<std::uint32_t> changed_;  // the vertices whose gain the current move changes
+  std::vector<std::uint32_t> move_of_;  // the last move that changed the gain of each vertex
+  std::uint32_t moves_ = 0;
 };
 
 /// Grows one side from `seed` by breadth-first search, until it has half of the weight. The vertices next to

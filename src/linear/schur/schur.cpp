@@ -7,6 +7,7 @@
 
 #include "base/paced_stop.h"
 #include "boxplus/base/parallel.h"
+#include "linear/schur/first_values.h"
 #include "linear/schur/small_cholesky.h"
 
 namespace boxplus {
@@ -101,17 +102,18 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
 void Schur::set_targets(PacedStop& pace) {
   reduced_values_.resize(reduced_.nonzero_values());
   const BlockStructure& structure = *structure_;
+  const FirstValues first_value(reduced_);
   for (std::uint32_t column = 0; column < structure.blocks(); ++column) {
     const std::uint32_t begin = structure.column_start[column], end = structure.column_start[column + 1];
     for (std::uint32_t a = column < eliminated_ ? begin + 1 : begin; a < end; ++a) {
       const std::uint32_t row = structure.row[a] - eliminated_;
       if (column >= eliminated_) {
-        kept_target_.push_back(reduced_.value_start[reduced_.find(row, column - eliminated_)]);
+        kept_target_.push_back(first_value(row, column - eliminated_));
         continue;
       }
       for (std::uint32_t b = begin + 1; b <= a; ++b) {
         pace.step();
-        pair_target_.push_back(reduced_.value_start[reduced_.find(row, structure.row[b] - eliminated_)]);
+        pair_target_.push_back(first_value(row, structure.row[b] - eliminated_));
       }
     }
   }

@@ -12,7 +12,7 @@
 
 namespace boxplus {
 
-std::string_view to_string(Finding::Severity severity) {
+std::string_view detail::to_string(Finding::Severity severity) {
   switch (severity) {
     case Finding::Severity::kError:
       return "error";

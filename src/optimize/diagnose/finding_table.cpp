@@ -34,7 +34,7 @@ std::span<const FindingEntry> finding_table() {
   return kFindings;
 }
 
-std::string_view to_string(Finding::Kind kind) {
+std::string_view detail::to_string(Finding::Kind kind) {
   for (const FindingEntry& entry : kFindings) {
     if (entry.kind == kind) return entry.name;
   }

@@ -74,9 +74,7 @@ class Reader {
   }
 
   static void note_dimension(PoseGraph& result, int dimension) {
-    if (result.dimension != 0 && result.dimension != dimension)
-      throw InvalidArgument(
-          "find_outliers: expected poses of one dimension, got poses in the plane and in space");
+    result.is_mixed |= result.dimension != 0 && result.dimension != dimension;
     result.dimension = dimension;
   }
 
@@ -96,6 +94,10 @@ class Reader {
   }
 
   void split(PoseGraph& result) const {
+    if (result.is_mixed) {
+      for (const Found& found : found_) result.others.push_back(found.edge);
+      return;
+    }
     for (const Found& found : found_) {
       PoseEdge edge{found.edge,         rank_.at(found.from),
                     rank_.at(found.to), motion_of(found.relative.motion),

@@ -30,11 +30,11 @@ struct PoseEdge {
 };
 
 struct PoseGraph {
-  /// Reads the enabled edges of options.level among options.edges. Throws InvalidArgument if poses of the
-  /// plane and of space are mixed.
+  /// Reads the enabled edges of options.level among options.edges.
   PoseGraph(const Graph& graph, const Options& options);
 
   int dimension = 0;             ///< 2 or 3; 0 if there are no poses
+  bool is_mixed = false;         ///< there are poses in the plane and in space; then all edges are `others`
   std::vector<VertexRef> poses;  ///< by id
   std::vector<PoseEdge> links;   ///< between poses with consecutive ranks
   std::vector<PoseEdge> closures;

@@ -28,8 +28,9 @@ class PoseGraph : public testing::Test {
   static constexpr int kPoses = 24;
 
   void SetUp() override {
-    path_ = testing::TempDir() + "g2o_pose_graph_in.g2o";
-    result_ = testing::TempDir() + "g2o_pose_graph_out.g2o";
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    path_ = testing::TempDir() + "g2o_pose_graph_" + name + "_in.g2o";
+    result_ = testing::TempDir() + "g2o_pose_graph_" + name + "_out.g2o";
     const double turn = 2 * M_PI / kPoses;
     g2o::SparseOptimizer graph;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -3,6 +3,7 @@
 // this template.
 #include "g2o/core/auto_differentiation.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,6 +21,7 @@
 namespace {
 
 using g2o::VectorN;
+using ::testing::ElementsAre;
 using Jet = g2o::ceres::Jet<double, 2>;
 
 template <int D>
@@ -276,6 +278,40 @@ void expect_slope(const char* name, double x, F f) {
   EXPECT_DOUBLE_EQ(y.a, f(x));
   EXPECT_EQ(y.v[0], 0);
   EXPECT_NEAR(y.v[1], (f(x + h) - f(x - h)) / (2 * h), 1e-8 * std::max(1., std::abs(y.v[1])));
+}
+
+/// The products of the values of two arrays: (x₀ y₀, x₀ y₁, x₁ y₂).
+struct Products {
+  template <typename T>
+  bool operator()(const T* x, const T* y, T* result) const {
+    result[0] = x[0] * y[0];
+    result[1] = x[0] * y[1];
+    result[2] = x[1] * y[2];
+    return works;
+  }
+  bool works = true;
+};
+
+TEST(AutoDifferentiate, WritesRowMajorJacobiansForAnyNumberOfRows) {
+  using Dims = g2o::ceres::internal::StaticParameterDims<2, 3>;
+  static_assert(Dims::kNumParameterBlocks == 2 && Dims::kNumParameters == 5 && Dims::GetDim(1) == 3, "");
+  const double x[] = {2, 3}, y[] = {5, 7, 11};
+  const double* parameters[] = {x, y};
+  double value[3], by_x[6], by_y[9];
+  double* jacobians[] = {by_x, by_y};
+  ASSERT_TRUE(
+      (g2o::ceres::internal::AutoDifferentiate<3, Dims>(Products(), parameters, 3, value, jacobians)));
+  EXPECT_THAT(value, ElementsAre(10, 14, 33));
+  EXPECT_THAT(by_x, ElementsAre(5, 0, 7, 0, 0, 11));
+  EXPECT_THAT(by_y, ElementsAre(2, 0, 0, 0, 2, 0, 0, 0, 3));
+  jacobians[0] = nullptr;  // not wanted
+  by_x[0] = by_y[0] = 99;
+  ASSERT_TRUE((g2o::ceres::internal::AutoDifferentiate<g2o::ceres::DYNAMIC, Dims>(Products(), parameters, 3,
+                                                                                  value, jacobians)));
+  EXPECT_EQ(by_x[0], 99);
+  EXPECT_EQ(by_y[0], 2);
+  EXPECT_FALSE(
+      (g2o::ceres::internal::AutoDifferentiate<3, Dims>(Products{false}, parameters, 3, value, jacobians)));
 }
 
 TEST(Jets, ComputeTheDerivativesOfAllFunctions) {

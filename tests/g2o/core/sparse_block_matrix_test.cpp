@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/SparseCholesky>
+#include <cstdio>
 
 #include "g2o/core/marginal_covariance_cholesky.h"
 
@@ -165,6 +166,13 @@ TEST_F(MarginalCovariances, EachRequestedBlockEqualsTheSameBlockOfTheInverse) {
             .norm(),
         1e-14);
   }
+}
+
+TEST(SparseBlockMatrix, BringsTheFunctionsThatWriteVectorsAndMatrices) {
+  const std::string file = testing::TempDir() + "block_matrix_vector.txt";
+  const double values[] = {1, 2};
+  EXPECT_TRUE(g2o::writeVector(file, values, 2));
+  std::remove(file.c_str());
 }
 
 }  // namespace

@@ -64,6 +64,15 @@ TEST_F(Optimizer, AllAlgorithmsFindTheSameMinimum) {
   }
 }
 
+TEST_F(Optimizer, Chi2IsZeroUntilTheErrorsAreComputed) {
+  add_square(optimizer);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.chi2(), 0);
+  EXPECT_EQ(optimizer.activeChi2(), 0);
+  optimizer.computeActiveErrors();
+  EXPECT_GT(optimizer.chi2(), 0);
+}
+
 TEST_F(Optimizer, FixedVerticesDoNotMoveAndHaveNoHessianIndex) {
   add_square(optimizer);
   optimizer.vertex(2)->setFixed(true);

@@ -47,7 +47,7 @@ done
 # Build and run a C++14 client without CMake. It must link with every order of the libraries.
 flags=(-I "$work/moved/include" -isystem /usr/include/eigen3)
 compile() { $launcher "$compiler" "${flags[@]}" "$@"; }
-compile -std=c++14 -w -DEIGEN_MAX_ALIGN_BYTES=16 -c "$here/ways/plain.cpp" -o "$work/plain.o"
+compile -std=c++14 -Wall -Wextra -Werror -DEIGEN_MAX_ALIGN_BYTES=16 -c "$here/ways/plain.cpp" -o "$work/plain.o"
 for libraries in "-lg2o_core -lg2o_stuff -lg2o_types_slam3d" "-lg2o_types_slam3d -lg2o_stuff -lg2o_core" \
                  "-lg2o_stuff -lg2o_types_slam3d -lg2o_core"; do
   # shellcheck disable=SC2086

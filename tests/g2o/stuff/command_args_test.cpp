@@ -20,8 +20,9 @@ TEST(CommandArgs, CanBeReadAndSetAsTextBySubclasses) {
   args.param("i", iterations, 5, "iterations");
   args.param("v", verbose, false, "verbose");
   args.param("ids", ids, {1, 2}, "ids");
-  EXPECT_EQ(args.text(0), "an integer: 5");
-  EXPECT_EQ(args.text(2), "integers separated by commas: 1,2");
+  EXPECT_EQ(args.text(0), "<int>: 5");
+  EXPECT_EQ(args.text(1), "<bool>: 0");
+  EXPECT_EQ(args.text(2), "<vector_int>: 1,2");
   args.set(0, "7");
   args.set(1, "1");
   args.set(2, "3;4");
@@ -29,7 +30,7 @@ TEST(CommandArgs, CanBeReadAndSetAsTextBySubclasses) {
   EXPECT_TRUE(verbose);
   EXPECT_EQ(ids, std::vector<int>({3, 4}));
   args.set(0, "eight");
-  EXPECT_EQ(args.text(0), "an integer: 7");
+  EXPECT_EQ(args.text(0), "<int>: 7");
 }
 
 TEST(CommandArgs, ReadFlagsValuesAndPositionalArguments) {

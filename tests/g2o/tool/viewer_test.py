@@ -78,6 +78,8 @@ class ViewerTest(unittest.TestCase):
         viewer = self.viewer(self.path)
         viewer.read_until(lambda: viewer.structure)
         self.assertEqual([(v["name"], v["count"]) for v in viewer.structure["vertices"]], [("VERTEX_SE2", 2), ("VERTEX_XY", 1)])
+        self.assertIsNone(viewer.state["opens_no_files"])
+        self.assertIn("truth", viewer.state["opens_no_truth"])
         algorithm = next(s for s in viewer.form["settings"] if s["name"] == "algorithm")
         choices = {choice["value"]: choice["unsuitable"] for choice in algorithm["choices"]}
         self.assertIsNone(choices["gn_var_cholmod"])

@@ -24,6 +24,7 @@ Plane3D plane(double x, double y, double z, double distance) {
 
 TEST(Slam3dAddons, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
+      "PARAMS_SE3OFFSET 0 0.3 -0.2 0.1 0.1 0.7 0.5 0.5\n"
       "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
       "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
       "VERTEX_PLANE 2 0.48 0.6 0.64 -2 0.1 0.2 0.3\n"
@@ -31,6 +32,7 @@ TEST(Slam3dAddons, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
       "VERTEX_SE3:QUAT 4 1.3 1.1 2.2 0.5 -0.5 0.5 0.5\n"
       "VERTEX3 5 1 2 3 0.1 -0.2 0.3\n"
       "VERTEX3 6 2 1 3 0.3 0.4 -1.3\n"
+      "VERTEX_LINE3D 7 -1.84 -0.62 1.2 0.36 0.48 0.8\n"
       "EDGE_SE3_PLANE_CALIB 0 2 1 0.6 0.48 0.64 1 0.4 0.5 0.6" +
       omega(3) +
       "\n"
@@ -41,7 +43,10 @@ TEST(Slam3dAddons, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
       omega(4) +
       "\n"
       "EDGE3 5 6 1.1 -0.9 0.1 0.2 0.5 -1.5" +
-      omega(6) + "\n");
+      omega(6) +
+      "\n"
+      "EDGE_SE3_LINE3D 0 7 0 -3 -1.6 1.2 0 0.6 0.8" +
+      omega(4) + "\n");
 }
 
 // For a small rotation, the rotation error of the edge is half of the angle. The information matrix in the
@@ -59,12 +64,15 @@ TEST(Slam3dAddons, TheInformationMatrixOfAToroEdgeWeightsAngles) {
 
 TEST(Slam3dAddons, ErrorsFollowTheSignConventionsOfTheFileFormat) {
   // The azimuth of the normal that EDGE_SE3_PLANE_CALIB measures is 0.1.
+  // The line is 2 m from the body, 1 m from the sensor, and 2 m away in the measurement.
   edge_checks::expect_errors(
+      "PARAMS_SE3OFFSET 0 0 1 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 1 0.5 0 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 2 1.5 0 0 0 0 0 1\n"
       "VERTEX_PLANE 3 1 0 0 -2 0 0 0\n"
       "VERTEX_PLANE 4 0 1 0 -1 0 0 0\n"
+      "VERTEX_LINE3D 5 0 0 -2 1 0 0\n"
       "EDGE_SE3_PLANE_CALIB 0 3 1 0.9950041652780258 0.09983341664682815 0 -1 0 0 0" +
           omega(3) +
           "\n"
@@ -72,10 +80,14 @@ TEST(Slam3dAddons, ErrorsFollowTheSignConventionsOfTheFileFormat) {
           omega(6) +
           "\n"
           "EDGE_PLANE 3 4 0 0 0 3" +
+          omega(4) +
+          "\n"
+          "EDGE_SE3_LINE3D 0 5 0 0 0 -2 1 0 0" +
           omega(4) + "\n",
       {{"EDGE_SE3_PLANE_CALIB", {0.1, 0, 0.5}},
        {"EDGE_SE3_CALIB", {1.5, 0, 0, 0, 0, 0}},
-       {"EDGE_PLANE", {-1, 1, 0, -2}}});
+       {"EDGE_PLANE", {-1, 1, 0, -2}},
+       {"EDGE_SE3_LINE3D", {0, 0, 0, std::atan(0.5) - std::atan(1)}}});
 }
 
 TEST(Planes, AreNormalizedWhenSet) {
@@ -110,6 +122,41 @@ TEST(Planes, AreMovedTogetherWithTheirPoints) {
   const g2o::Vector3 point = p.distance() * p.normal();
   EXPECT_NEAR(moved.normal().dot(t * point) + moved.coeffs()[3], 0, 1e-14);
   EXPECT_LT((p.coeffs() - plane(0.6, -0.8, 1, -2).coeffs()).norm(), 1e-15);
+}
+
+TEST(Lines, HaveCartesianAndOrthonormalForms) {
+  g2o::Vector6 cartesian;
+  cartesian << 4, 3, -2, 2, 0, 0;
+  const g2o::Line3D line = g2o::Line3D::fromCartesian(cartesian);
+  g2o::Vector6 expected;
+  expected << 0, -2, -3, 1, 0, 0;
+  EXPECT_LT((line - expected).norm(), 1e-15);
+  EXPECT_LT((line.toCartesian() - g2o::internal::normalizeCartesianLine(cartesian)).norm(), 1e-15);
+  const g2o::OrthonormalLine3D parts = g2o::Line3D::toOrthonormal(line);
+  EXPECT_LT((parts.U.transpose() * parts.U - g2o::Matrix3::Identity()).norm(), 1e-14);
+  EXPECT_NEAR(parts.W(1, 0) / parts.W(0, 0), 1 / std::sqrt(13.0), 1e-14);
+  EXPECT_LT((g2o::Line3D::fromOrthonormal(parts) - line).norm(), 1e-14);
+  EXPECT_LT((g2o::Line3D(3 * line).normalized() - line).norm(), 1e-14);
+}
+
+TEST(Lines, OplusUndoesOminus) {
+  g2o::Vector6 from, to;
+  from << 1, -2, 0.5, 1, 2, 3;
+  to << 0.5, -2, 1, 1.2, 1.5, 3.5;
+  const g2o::Line3D a = g2o::Line3D::fromCartesian(from), b = g2o::Line3D::fromCartesian(to);
+  g2o::Line3D moved = a;
+  moved.oplus(a.ominus(b));
+  EXPECT_LT((moved - b).norm(), 1e-14);
+}
+
+TEST(Lines, AreMovedTogetherWithTheirPoints) {
+  g2o::Vector6 v, cartesian;
+  v << 1, 2, 3, 0.1, -0.2, 0.3;
+  cartesian << 1, -2, 0.5, 1, 2, 3;
+  const g2o::Isometry3 t = g2o::internal::fromVectorMQT(v);
+  const g2o::Line3D moved = t * g2o::Line3D::fromCartesian(cartesian);
+  EXPECT_LT((moved - g2o::Line3D::fromCartesian(g2o::internal::transformCartesianLine(t, cartesian))).norm(),
+            1e-14);
 }
 
 TEST(Planes, AreEstimatedTogetherWithTheOffsetOfTheSensor) {

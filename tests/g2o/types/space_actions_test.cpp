@@ -44,6 +44,12 @@ const std::string kPlanes =
     kOmega4 + "EDGE_SE3_PLANE_CALIB 0 11 9 -1 0 0 3 0 0 0" + kOmega3 + "EDGE_SE3_CALIB 0 1 9 1 0 0 0 0 0 1" +
     kOmega6;
 
+/// A vertical line at (4, 3), and a sensor that observes it.
+const std::string kLines =
+    "PARAMS_SE3OFFSET 0 0 0 0.5 0 0 0 1\nVERTEX_SE3:QUAT 0 1 3 1 0 0 0 1\nVERTEX_LINE3D 10 3 -4 0 0 0 1\n"
+    "EDGE_SE3_LINE3D 0 10 0 0 -3 0 0 0 1" +
+    kOmega4;
+
 /// Cameras of two types (VERTEX_CAM and VERTEX_SE3:EXPMAP) at (0, 0, 0) and at (1, 0, 0), which look along
 /// the z axis, and a point in front of them.
 const std::string kCameras =
@@ -71,7 +77,7 @@ const std::string kScans =
     "EDGE_V_V_GICP 0 1 2 0 0 0 0 1 1 0.5 0 0 0 1\n";
 
 TEST(SpaceActions, EveryVertexAndEveryEdgeOfTheTestGraphsIsDrawn) {
-  for (const std::string& text : {kPlanes, kCameras, kSimilarities, kScans}) {
+  for (const std::string& text : {kPlanes, kLines, kCameras, kSimilarities, kScans}) {
     const auto graph = read(text);
     g2o::DrawAction::Parameters draw;
     for (auto* e : graph->edges()) {
@@ -109,6 +115,21 @@ TEST(SpaceActions, AMeasuredPlaneIsDrawnHalfAMeterWideInFrontOfItsSensor) {
   parameters.makeProperty<g2o::FloatProperty>(edge + "::PLANE_HEIGHT", 1.F);
   g2o::applyAction(graph.get(), action("draw"), &parameters, edge);
   EXPECT_THAT(record.out.str(), HasSubstr("(4 2 1)"));
+}
+
+TEST(SpaceActions, ALineIsDrawnAroundItsPointNearestToTheOriginOrToTheSensor) {
+  const auto graph = read(kLines);
+  const std::string shapes = drawn(*graph);
+  EXPECT_THAT(shapes, HasSubstr("line5 (4 3 -7.5) (4 3 7.5)\n"));
+  EXPECT_THAT(shapes, HasSubstr("line1 (1 3 1.5) (4 3 1.5)\nline1 (4 3 -0.5) (4 3 3.5)\n"));
+  EXPECT_THAT(gnuplot(*graph), HasSubstr("4 3 0 0 0 1\n"));
+  Record record;
+  g2o::DrawAction::Parameters parameters;
+  parameters.drawing = &record;
+  const std::string line = typeid(g2o::VertexLine3D).name();
+  parameters.makeProperty<g2o::FloatProperty>(line + "::LINE_LENGTH", 2.F);
+  g2o::applyAction(graph.get(), action("draw"), &parameters, line);
+  EXPECT_THAT(record.out.str(), HasSubstr("line5 (4 3 -1) (4 3 1)\n"));
 }
 
 TEST(SpaceActions, CalibrationEdgesAreDrawnAsTheMotionOfTheRobot) {

@@ -18,6 +18,7 @@ G2O_USE_TYPE_GROUP(sba);
 G2O_USE_TYPE_GROUP(expmap);
 G2O_USE_TYPE_GROUP(sim3);
 G2O_USE_TYPE_GROUP(icp);
+G2O_USE_TYPE_GROUP(data);
 
 namespace {
 

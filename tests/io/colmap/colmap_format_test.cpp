@@ -8,6 +8,7 @@
 
 #include "boxplus/boxplus.h"
 #include "boxplus/io/sparse_model.h"
+#include "boxplus/types/position_prior.h"
 #include "io/colmap/camera_types.h"
 #include "io/colmap/model_folder.h"
 
@@ -255,12 +256,22 @@ TEST(ColmapFormat, CannotRepresentOtherGraphs) {
   EXPECT_THAT(complaint_of(
                   [&] { write_graph(folder.path(), parse_graph("VERTEX_SE3:QUAT 3 0 0 0 0 0 0 1\n", "g")); }),
               HasSubstr("got pose 3 without an edge, so that its camera is unknown"));
-  GraphFile file = model();
-  file.graph.set_information(file.edges[2], 4.0);
-  EXPECT_THAT(complaint_of([&] { write_graph(folder.path(), file); }),
-              HasSubstr("got an edge Reprojection<SIMPLE_RADIAL> of the vertices 11 104 7 with another"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   EXPECT_THAT(complaint_of([] { format_graph(model()); }), HasSubstr("as one text"));
+}
+
+TEST(ColmapFormat, LeavesOutInformationAndOtherEdgesAndSaysSo) {
+  const TestFolder folder("model"), plain("plain");
+  GraphFile file = model();
+  write_graph(plain.path(), file, {.format = "COLMAP-text"});
+  EXPECT_TRUE(losses(folder.path(), file).empty());
+  file.graph.set_information(file.edges[2], 4.0);
+  file.graph.add_edge(PositionPrior(Vector3(1, 2, 3)), file.graph.vertex<SE3>(11));
+  EXPECT_THAT(losses(folder.path(), file),
+              testing::ElementsAre("the information of 1 edge", HasSubstr("1 edge PositionPrior")));
+  write_graph(folder.path(), file, {.format = "COLMAP-text"});
+  for (const char* name : {"cameras.txt", "images.txt", "points3D.txt"})
+    EXPECT_EQ(folder.content(name), plain.content(name)) << name;
 }
 
 TEST(ColmapFormat, CannotHaveEveryNameOfAnImage) {

@@ -32,6 +32,11 @@ constexpr const char* kGood =
 
 const std::string kIdentity6 = "1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1";
 
+const std::string kHowToGoOn =
+    " (to use the nearest positive semi-definite matrix: --information project; to keep it: --information "
+    "as-given; in a "
+    "program: ReadOptions::indefinite)";
+
 const Malformed kTable[] = {
     // Fields
     {"VertexWithoutId", "VERTEX_SE2", "9:11: expected the id of a vertex, got the end of the line"},
@@ -78,11 +83,11 @@ const Malformed kTable[] = {
     {"InformationWithOneEntryTooMany", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0 1 1",
      "9:34: expected the end of the line, got '1'"},
     {"InformationGivenAsAFullMatrix", "EDGE_SE2 0 1 1 0 0.5 1 0 0 0 1 0 0 0 1",
-     "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1"},
+     "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1" + kHowToGoOn},
     {"InformationWithANegativeEntryOnTheDiagonal", "EDGE_SE2 0 1 1 0 0.5 1 0 0 -1 0 1",
-     "9:22: information: expected a positive semi-definite matrix, got the diagonal entry -1"},
+     "9:22: information: expected a positive semi-definite matrix, got the diagonal entry -1" + kHowToGoOn},
     {"IndefiniteInformation", "EDGE_SE2 0 1 1 0 0.5 1 2 0 1 0 1",
-     "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1"},
+     "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1" + kHowToGoOn},
     {"InformationOfZeros", "EDGE_SE2 0 1 1 0 0.5 0 0 0 0 0 0",
      "9:22: information: expected a nonzero matrix, got zeros only"},
     {"InformationThatIsNotANumber", "EDGE_SE2 0 1 1 0 0.5 1 0 0 nan 0 1",

@@ -38,5 +38,41 @@ TEST(AutomaticOrdering, IsNestedDissectionForALargeCubeAndMinimumDegreeForASmall
             Ordering::kMinimumDegree);
 }
 
+/// Every block is joined with every other block, except that blocks with different remainders of their number
+/// by 3 are joined only if one remainder is 2.
+std::vector<BlockCoordinate> two_overlapping_cliques(std::uint32_t blocks) {
+  std::vector<BlockCoordinate> pairs;
+  for (std::uint32_t a = 0; a < blocks; ++a) {
+    for (std::uint32_t b = 0; b < a; ++b) {
+      if (a % 3 == b % 3 || a % 3 == 2 || b % 3 == 2) pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
+std::vector<BlockCoordinate> all_pairs(std::uint32_t blocks) {
+  std::vector<BlockCoordinate> pairs;
+  for (std::uint32_t a = 0; a < blocks; ++a) {
+    for (std::uint32_t b = 0; b < a; ++b) pairs.push_back({a, b});
+  }
+  return pairs;
+}
+
+TEST(AutomaticOrdering, IsNotNestedDissectionForACompleteGraph) {
+  const std::vector<std::uint32_t> dims(700, 9);
+  EXPECT_EQ(outline_factor(make_block_structure(dims, all_pairs(700)), {}, {}, Ordering::kAutomatic).ordering,
+            Ordering::kMinimumDegree);
+}
+
+TEST(AutomaticOrdering, SeparatesTheCliquesOfADenseMatrixWhoseRowsAreAllDense) {
+  const std::vector<std::uint32_t> dims(600, 9);
+  const BlockStructure structure = make_block_structure(dims, two_overlapping_cliques(600));
+  // Two cliques with 3600 scalars each, which share 1800.
+  const auto cubed = [](double scalars) { return scalars * scalars * scalars / 3; };
+  const double least = 2 * (cubed(3600) - cubed(1800)) + cubed(1800);
+  for (const Ordering ordering : {Ordering::kMinimumDegree, Ordering::kAutomatic})
+    EXPECT_NEAR(outline_factor(structure, {}, {}, ordering).flops / least, 1, 0.01);
+}
+
 }  // namespace
 }  // namespace boxplus

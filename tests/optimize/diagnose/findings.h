@@ -35,6 +35,36 @@ MATCHER_P(HasFinding, kind, std::string(to_string(kind))) {
   return false;
 }
 
+/// The difference of two points. Some entries of the Jacobian by the second point are multiplied by `factor`.
+struct Difference {
+  static constexpr std::string_view kName = "Difference";
+  Vector2 measurement;
+  double factor = 1;
+
+  template <class S>
+  Vector<S, 2> error(const Vector<S, 2>& a, const Vector<S, 2>& b) const {
+    return b - a - measurement.template cast<S>();
+  }
+  template <class A, class B>
+  void jacobians(const Vector2&, const Vector2&, A& J_a, B& J_b) const {
+    J_a = -Eigen::Matrix2d::Identity();
+    J_b = Eigen::Matrix2d::Identity();
+    J_b(1, 1) *= factor;
+  }
+};
+
+/// A chain of points, whose Jacobians are right if the factor is 1.
+inline Graph chain_with_wrong_jacobian(double factor) {
+  Graph graph;
+  std::vector<VertexHandle<Vector2>> points{graph.add_vertex(Vector2(0, 0))};
+  graph.fix(points.front());
+  for (int k = 0; k < 20; ++k) {
+    points.push_back(graph.add_vertex(Vector2(k + 1, 0.5 * k)));
+    graph.add_edge(Difference{Vector2(1, 0.5), factor}, points[points.size() - 2], points.back());
+  }
+  return graph;
+}
+
 /// A circle of poses at a minimum of chi2. The first pose is fixed.
 struct HealthyCircle {
   Graph graph;

@@ -79,6 +79,15 @@ TEST_F(TruthOfGraph, ForgetsVerticesThatTheGraphHasLost) {
   EXPECT_FALSE(truth_.fit(file_.graph, structure_));
 }
 
+TEST(Truth, OfAnotherDimensionIsRefusedWithTheNamesOfBothFiles) {
+  const GraphFile file = parse_graph(kGraph, "graph.g2o");
+  Truth truth = parse_truth("space.g2o", "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n");
+  EXPECT_THAT([&] { truth.match(file.graph, &file, "graph.g2o"); },
+              ThrowsMessage<FileError>(HasSubstr(
+                  "space.g2o: expected a truth for graph.g2o, which has poses in the plane, but it has poses "
+                  "in space")));
+}
+
 TEST(Truth, OfAGraphWithoutACommonPoseIsRefused) {
   const GraphFile file = parse_graph(kGraph, "graph.g2o");
   Truth truth = parse_truth("truth.g2o", "VERTEX_SE2 9 0 0 0\nVERTEX_XY 5 1 1\n");

@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <string>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/testing/simulate_bundle.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -60,6 +63,35 @@ TEST(Uncertainty, OfAGraphWithoutAFixedVertexNamesTheOneThatIsHeld) {
   const Uncertainty found =
       uncertainty_of(parsed("VERTEX_SE2 7 0 0 0\nVERTEX_SE2 8 1 0 0\nEDGE_SE2 7 8 1 0 0 1 0 0 1 0 1\n"));
   EXPECT_EQ(found.note, "covariances of all 2 positions, relative to vertex 7");
+}
+
+TEST(Uncertainty, OfAGraphInPartsNamesTheHeldVertexOfEachPart) {
+  std::string text;
+  for (int id = 0; id < 28; ++id) text += "VERTEX_SE2 " + std::to_string(id) + " 0 0 0\n";
+  for (int id = 0; id < 6; id += 2)
+    text += "EDGE_SE2 " + std::to_string(id) + " " + std::to_string(id + 1) + " 1 0 0 1 0 0 1 0 1\n";
+  std::string more = text;
+  for (int id = 6; id < 28; id += 2)
+    more += "EDGE_SE2 " + std::to_string(id) + " " + std::to_string(id + 1) + " 1 0 0 1 0 0 1 0 1\n";
+  for (int id = 6; id < 28; ++id) text += "FIX " + std::to_string(id) + "\n";
+  EXPECT_THAT(uncertainty_of(parsed(text)).note,
+              HasSubstr(", relative to the vertices 0, 2 and 4 of their parts of the graph"));
+  EXPECT_THAT(uncertainty_of(parsed(more)).note,
+              HasSubstr(", relative to the vertices 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22 and 2 more"));
+}
+
+TEST(Uncertainty, OfBundleAdjustmentNamesTheCameraWhosePoseIsHeld) {
+  const BundleSimulation bundle = simulate_bundle(BundleShape::kRing, {.cameras = 4, .points = 60});
+  const Uncertainty found = uncertainty_of(bundle.graph);
+  const std::size_t place = found.note.find(", relative to vertex ");
+  ASSERT_NE(place, std::string::npos) << found.note;
+  const auto id = static_cast<std::size_t>(std::stoi(found.note.substr(place + 21)));
+  ASSERT_LT(id, 4U) << "it is no camera";
+  for (std::size_t camera = 0; camera < 4; ++camera) {
+    const auto first = found.covariances.begin() + static_cast<std::ptrdiff_t>(6 * camera);
+    const bool is_held = std::all_of(first, first + 6, [](float value) { return value == 0; });
+    EXPECT_EQ(is_held, camera == id) << found.note;
+  }
 }
 
 TEST(Uncertainty, OfALargeGraphIsThatOfVerticesThatAreSpreadOverAllOfIt) {

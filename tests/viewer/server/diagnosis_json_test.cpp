@@ -47,16 +47,18 @@ TEST(DiagnosisJson, NamesTheOnlyVertexOfAFindingAndMarksIt) {
   ASSERT_FALSE(finding.is_null()) << diagnosis;
   EXPECT_EQ(finding["severity"], "warning");
   EXPECT_EQ(finding["element"], (Json{{"key", "id"}, {"number", "10"}}));
-  EXPECT_EQ(finding["marked"], Json::array({3}));
+  EXPECT_EQ(finding["vertices"], (Json{{"count", 1}, {"marked", {3}}}));
+  EXPECT_EQ(finding["edges"]["count"], 0);
 }
 
-TEST(DiagnosisJson, MarksTheVerticesOfEdges) {
+TEST(DiagnosisJson, MarksEdges) {
   FourPoses world;
   world.graph.add_edge(Between(SE2(1, 0, 0)), Information(0.0), world.poses[1], world.poses[2]);
   const Json finding = found(diagnosed(world.graph), "zero-information");
   ASSERT_FALSE(finding.is_null());
   EXPECT_EQ(finding["element"], (Json{{"key", "edge"}, {"number", "2"}}));
-  EXPECT_EQ(finding["marked"], Json::array({1, 2}));
+  EXPECT_EQ(finding["vertices"]["count"], 0);
+  EXPECT_EQ(finding["edges"], (Json{{"count", 1}, {"marked", 1}, {"lines", {2}}}));
 }
 
 TEST(DiagnosisJson, NamesNoElementIfThereAreSeveral) {
@@ -66,7 +68,48 @@ TEST(DiagnosisJson, NamesNoElementIfThereAreSeveral) {
   const Json finding = found(diagnosed(world.graph), "free-component");
   ASSERT_FALSE(finding.is_null());
   EXPECT_TRUE(finding["element"].is_null());
-  EXPECT_EQ(finding["marked"], Json::array({4, 5}));
+  EXPECT_EQ(finding["vertices"], (Json{{"count", 2}, {"marked", {4, 5}}}));
+}
+
+/// An edge between poses 1 and 2 with three vertices has two lines.
+TEST(DiagnosisJson, MarksAllLinesOfAnEdgeAndTheVertexOfAPrior) {
+  FourPoses world;
+  Diagnosis diagnosis;
+  diagnosis.findings.resize(2);
+  const auto triple =
+      world.graph.add_edge([](const SE2& a, const SE2& b, const SE2& c) { return a.x() + b.x() + c.x(); },
+                           world.poses[0], world.poses[1], world.poses[3]);
+  const auto prior = world.graph.add_edge([](const SE2& x) { return x.x(); }, world.poses[2]);
+  diagnosis.findings[0].edges = {triple};
+  diagnosis.findings[1].edges = {prior};
+  const Structure structure = make_structure(world.graph);
+  const Json json = Json::parse(diagnosis_json(world.graph, structure, diagnosis, 1));
+  const Json edges = json["findings"][0]["edges"];
+  EXPECT_EQ(edges["marked"], 1);
+  ASSERT_EQ(edges["lines"].size(), 2U);
+  for (const Json& line : edges["lines"]) EXPECT_EQ(structure.lines[2 * line.get<std::size_t>()], 0U);
+  EXPECT_EQ(json["findings"][1]["edges"]["count"], 0);
+  EXPECT_EQ(json["findings"][1]["vertices"], (Json{{"count", 1}, {"marked", {2}}}));
+}
+
+TEST(DiagnosisJson, CountsWhatIsNotMarkedBecauseThereIsTooMuch) {
+  Graph graph;
+  Diagnosis diagnosis;
+  diagnosis.findings.resize(1);
+  constexpr std::size_t kCount = kMostMarked + 5;
+  auto before = graph.add_vertex(SE2());
+  for (std::size_t k = 0; k < kCount; ++k) {
+    const auto vertex = graph.add_vertex(SE2());
+    diagnosis.findings[0].vertices.push_back(vertex);
+    diagnosis.findings[0].edges.push_back(graph.add_edge(Between(SE2()), before, vertex));
+    before = vertex;
+  }
+  const Json finding = Json::parse(diagnosis_json(graph, make_structure(graph), diagnosis, 1))["findings"][0];
+  EXPECT_EQ(finding["vertices"]["count"], kCount);
+  EXPECT_EQ(finding["vertices"]["marked"].size(), kMostMarked);
+  EXPECT_EQ(finding["edges"]["count"], kCount);
+  EXPECT_EQ(finding["edges"]["marked"], kMostMarked);
+  EXPECT_EQ(finding["edges"]["lines"].size(), kMostMarked);
 }
 
 }  // namespace

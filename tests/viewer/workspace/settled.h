@@ -32,10 +32,12 @@ inline MessageKind kind_of(const Message& message) {
   return static_cast<MessageKind>(kind);
 }
 
-/// The JSON of a message: all of a state, or the header of arrays.
+/// The JSON of a message: all of a state or diagnosis, or the header of arrays.
 inline Json json_of(const Message& message) {
   constexpr std::size_t kBegin = 8;  // after the length and the kind
-  if (kind_of(message) == MessageKind::kState) return Json::parse(message->substr(kBegin));
+  const MessageKind kind = kind_of(message);
+  if (kind == MessageKind::kState || kind == MessageKind::kDiagnosis)
+    return Json::parse(message->substr(kBegin));
   std::uint32_t size = 0;
   std::memcpy(&size, message->data() + kBegin, sizeof size);
   return Json::parse(message->substr(kBegin + sizeof size, size));
@@ -43,7 +45,7 @@ inline Json json_of(const Message& message) {
 
 /// The last message of each kind that a reader got until the worker waited; null if there was none.
 struct Settled {
-  Json state, structure, frame, truth;
+  Json state, structure, frame, truth, diagnosis;
   std::vector<std::string> log = {};  ///< the lines of all states
 };
 
@@ -58,6 +60,7 @@ inline Settled settled_messages(Workspace::Reader& reader) {
       if (kind_of(message) == MessageKind::kStructure) last.structure = json_of(message);
       if (kind_of(message) == MessageKind::kFrame) last.frame = json_of(message);
       if (kind_of(message) == MessageKind::kTruth) last.truth = json_of(message);
+      if (kind_of(message) == MessageKind::kDiagnosis) last.diagnosis = json_of(message);
     }
     if (!last.state.is_null() && !last.state["busy"].get<bool>()) break;
   }

@@ -75,7 +75,8 @@ TEST_F(WorkspaceWithTruth, KeepsTheTruthIfAnotherOneIsRefused) {
   expect_refusal("bad.g2o", "VERTEX_SE2 0 0 zero 0\n", "bad.g2o:1:16: expected");
   expect_refusal("far.g2o", "VERTEX_SE2 8 0 0 0\n",
                  "far.g2o: expected poses that match small.g2o by id, found none");
-  expect_refusal("space.g2o", "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n", "in the plane");
+  expect_refusal("space.g2o", "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n",
+                 "space.g2o: expected a truth for small.g2o, which has poses in the plane");
   expect_refusal("points.g2o", "VERTEX_XY 0 1 2\n", "points.g2o: expected poses");
   expect_refusal("times.txt", "1 0 0 0 0 0 0 1\n", "times.txt: expected a graph");
   expect_refusal("empty.g2o", "", "empty.g2o");

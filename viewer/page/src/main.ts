@@ -76,10 +76,8 @@ function serve(
         element?.setStructure(message.structure);
         diagnosis?.setStructure(message.structure.structure);
       }
-      if (message.kind === "frame") {
-        element?.setFrame();
-        diagnosis?.setFrame();
-      }
+      if (message.kind === "frame") element?.setFrame();
+      if (message.kind === "diagnosis") diagnosis?.show(message.diagnosis);
     },
     onConnection: (state) => model.setConnection(state),
   });

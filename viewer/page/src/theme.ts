@@ -17,6 +17,7 @@ export interface Theme {
   /** The true estimates, under the current ones. */
   truth: Color;
   uncertainty: Color;
+  scan: Color;
   odometry: Color;
   loop_closure: Color;
   observation: Color;
@@ -48,6 +49,7 @@ export function currentTheme(): Theme {
     before: color("--before"),
     truth: color("--truth"),
     uncertainty: color("--uncertainty"),
+    scan: color("--scan"),
     odometry: color("--odometry"),
     loop_closure: color("--loop-closure"),
     observation: color("--observation"),

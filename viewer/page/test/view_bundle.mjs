@@ -2,7 +2,7 @@
 // Optimizes a reconstruction on the page, and hides its bad points.
 //
 //     node test/view_bundle.mjs PATH_TO_BOXPLUS DATA_FOLDER     exit code 77: something is missing, so the test is skipped
-import { dataFile, fail, openPage, picture, runTest, step, textOf, waitForStatus, waitUntil } from "./support.mjs";
+import { dataFile, fail, openPage, picture, runTest, step, textOf, waitForStatus, waitForText, waitUntil } from "./support.mjs";
 
 await runTest(dataFile("bal/problem-49-7776-pre.txt"), async (url, browser) => {
   const { page, problems } = await openPage(browser, url);
@@ -10,6 +10,25 @@ await runTest(dataFile("bal/problem-49-7776-pre.txt"), async (url, browser) => {
   await step("Optimize converges", async () => {
     await page.click("#optimize");
     await waitForStatus(page, "converged");
+  });
+
+  await step("a camera has an estimate: its pose, and its parameters with their names", async () => {
+    await page.click("#tab-element");
+    await page.fill("#element-id", "3");
+    await page.press("#element-id", "Enter");
+    await waitForText(page, "element-facts", "Vertex 3");
+    await waitForText(page, "element-facts", "position: ");
+    await waitForText(page, "element-facts", "f: ");
+    await waitForText(page, "element-facts", "k2: ");
+    await page.keyboard.press("Escape");
+    await page.click("#unmark");
+    await page.click("#tab-display");
+  });
+
+  await step("the uncertainties name the camera to which they are relative", async () => {
+    await page.click("#compute-uncertainty");
+    await waitForText(page, "uncertainty-note", "2000 positions, spread evenly over all 7825, relative to vertex ");
+    await page.click("#show-uncertainty");
   });
 
   await step("the filter of track lengths says how many points it hides", async () => {

@@ -111,6 +111,7 @@ await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
     expectEqual(lines.length, given.length);
     if (!/^VERTEX_SE2 0( [-+.e0-9]+){3}$/.test(lines[0])) fail(`the first vertex is "${lines[0]}"`);
     if (lines[lines.length - 1] === given[given.length - 1]) fail("the estimates are those of the file");
+    await waitUntil(page, () => !document.querySelector("#open").disabled); // while the graph is written, no file opens
     await drag(page, "drop", "saved.g2o", bytes.toString());
     const chi2 = await textOf(page, "chi2");
     await waitForFile(page, "saved.g2o");

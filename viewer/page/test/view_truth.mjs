@@ -32,14 +32,48 @@ for (const world of ["manhattan", "sphere"]) {
       await expectErrors(page, GRAPH);
       const { hash } = await pictureAtRest(page);
       if (hash === without.hash) fail("the truth is not drawn");
+      await page.click("#fit");
     });
 
     await step("the truth can be hidden", async () => {
       const shown = await picture(page);
       await page.click("#show-truth");
+      await page.click("#fit");
       expectEqual((await picture(page)).hash, without.hash);
       await page.click("#show-truth");
+      await page.click("#fit");
       expectEqual((await picture(page)).hash, shown.hash);
+    });
+
+    await step("Fit shows all of the truth", async () => {
+      const size = () => page.evaluate(() => {
+        const { kind, height, position, target } = window.boxplus.view.camera;
+        return kind === "orthographic" ? height : Math.hypot(...position.map((value, i) => value - target[i]));
+      });
+      const before = await size();
+      const vast = join(folder, "vast.g2o");
+      // The positions come after the tag and the id.
+      writeFileSync(vast, readFileSync(TRUTH, "utf8").replace(/^(VERTEX\S* \d+) (\S+) (\S+)/gm, (_, begin, x, y) => `${begin} ${5 * x} ${5 * y}`));
+      await openTruth(page, vast);
+      await waitForText(page, "truth-note", "vast.g2o");
+      await page.click("#fit");
+      if (!((await size()) > 2 * before)) fail(`the size of the view is ${await size()}, and ${before} before`);
+      await openTruth(page, TRUTH);
+      await waitForText(page, "truth-note", "truth.g2o");
+      await page.click("#fit");
+    });
+
+    await step("a long name of a truth does not widen the panel", async () => {
+      const long = join(folder, `${"truth".repeat(40)}.g2o`);
+      writeFileSync(long, readFileSync(TRUTH));
+      await openTruth(page, long);
+      await waitForText(page, "truth-note", "truthtruth");
+      const [width, content] = await page.evaluate(() => {
+        const { clientWidth, scrollWidth } = document.getElementById("display");
+        return [clientWidth, scrollWidth];
+      });
+      expectEqual(content, width);
+      await openTruth(page, TRUTH);
     });
 
     await step("a malformed file and one without a common pose are refused, and the truth stays", async () => {

@@ -2,6 +2,9 @@
 // Shows how uncertain positions are, in the plane and in space.
 //
 //     node test/view_uncertainty.mjs PATH_TO_BOXPLUS DATA_FOLDER   exit code 77: something is missing, so the test is skipped
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import {
   expectEqual, fail, openPage, picture, pictureAtRest, runTest, simulatedFile, step, textOf, waitForStatus, waitForText, waitUntil,
 } from "./support.mjs";
@@ -48,7 +51,8 @@ for (const world of ["manhattan", "sphere"]) {
     await step("they vanish with the estimates to which they belong", async () => {
       await page.focus("#scene");
       await page.keyboard.press("<");
-      await waitUntil(page, () => document.getElementById("uncertainty-note").hidden);
+      await waitForText(page, "uncertainty-note", "Uncertainties belong to the newest estimates.");
+      await waitForText(page, "legend", "Uncertainties belong to the newest estimates.");
       await page.keyboard.press(">");
       await waitForText(page, "uncertainty-note", "Covariances");
       await page.click("#reset");
@@ -61,3 +65,35 @@ for (const world of ["manhattan", "sphere"]) {
     });
   });
 }
+
+/** The poses of the second chain are known 1000 times worse than they are long. */
+function looseChain() {
+  const folder = mkdtempSync(join(tmpdir(), "boxplus-"));
+  process.on("exit", () => rmSync(folder, { recursive: true }));
+  const lines = ["FIX 0"];
+  for (let id = 0; id < 600; ++id) {
+    lines.push(`VERTEX_SE3:QUAT ${id} ${id % 30} ${Math.floor(id / 30)} 0 0 0 0 1`);
+    const information = id <= 20 ? 1e6 : 1e-4;
+    const diagonal = (i) => [information, ...new Array(5 - i).fill(0)].join(" ");
+    const [before, now] = [id - 1, id].map((each) => [each % 30, Math.floor(each / 30)]);
+    if (id > 0) lines.push(`EDGE_SE3:QUAT ${id - 1} ${id} ${now[0] - before[0]} ${now[1] - before[1]} 0 0 0 0 1 ${[0, 1, 2, 3, 4, 5].map(diagonal).join(" ")}`);
+  }
+  const path = join(folder, "chain.g2o");
+  writeFileSync(path, `${lines.join("\n")}\n`);
+  return path;
+}
+
+await runTest(looseChain, async (url, browser) => {
+  const { page, problems } = await openPage(browser, url);
+
+  await step("regions that are large for the graph are limited and counted", async () => {
+    await page.click("#compute-uncertainty");
+    await waitForText(page, "uncertainty-note", "579 regions are larger than 5 % of the graph, and 80 of them are drawn, as outlines. 579 are even larger than 10 %");
+    const counts = await page.evaluate(() => window.boxplus.view.graph.ellipses.parts.map(({ geometry }) => geometry.instanceCount));
+    expectEqual(counts.join(), "21,101");
+  });
+
+  await step("no error and no request to another host", () => {
+    if (problems.length > 0) fail(problems.join("; "));
+  });
+});

@@ -9,13 +9,15 @@
 #ifndef G2O_JET_H
 #define G2O_JET_H
 
+// clang-format off: this header comes first, because it sets the alignment of Eigen
+#include "g2o/config.h"
+// clang-format on
+
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <ostream>
 #include <type_traits>
-
-#include "g2o/config.h"
 
 namespace g2o {
 namespace ceres {

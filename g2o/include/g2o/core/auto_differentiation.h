@@ -15,6 +15,10 @@
 #ifndef G2O_AUTO_DIFFERENTIATION_H
 #define G2O_AUTO_DIFFERENTIATION_H
 
+#if __cplusplus < 201703L
+#pragma GCC system_header  // Otherwise, compilers warn about C++17 in this header.
+#endif
+
 #include <array>
 #include <cstddef>
 #include <tuple>

@@ -3,6 +3,10 @@
 #ifndef G2O_BASE_EDGE_H
 #define G2O_BASE_EDGE_H
 
+#if __cplusplus < 201703L
+#pragma GCC system_header  // Otherwise, compilers warn about C++17 in this header.
+#endif
+
 #include <algorithm>
 #include <istream>
 #include <ostream>

@@ -4,6 +4,10 @@
 #ifndef G2O_BASE_FIXED_SIZED_EDGE_H
 #define G2O_BASE_FIXED_SIZED_EDGE_H
 
+#if __cplusplus < 201703L
+#pragma GCC system_header  // Otherwise, compilers warn about C++17 in this header.
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,9 +20,9 @@
 #include "g2o/core/base_edge.h"
 #include "g2o/stuff/logger.h"
 
-/// The dimension of each vertex, for pack expansions over the VertexTypes of an edge. g2o has a macro with
-/// the same name.
-#define G2O_VERTEX_DIM VertexTypes::Dimension
+/// The dimension of each vertex, or 0 if it is known only at run time, for pack expansions over the
+/// VertexTypes of an edge.
+#define G2O_VERTEX_DIM ((VertexTypes::Dimension < 0) ? 0 : VertexTypes::Dimension)
 
 namespace g2o {
 namespace internal {
@@ -39,7 +43,7 @@ constexpr int pair_second(int k) {
   return j;
 }
 
-/// A pair of vertex positions. index_to_pair() is the inverse of pair_to_index().
+/// A pair of vertex positions.
 struct TrivialPair {
   int first = 0, second = 0;
   constexpr TrivialPair(int f, int s) : first(f), second(s) {}
@@ -47,8 +51,10 @@ struct TrivialPair {
     return first == other.first && second == other.second;
   }
 };
-constexpr TrivialPair index_to_pair(int k) {
-  return TrivialPair(pair_first(k), pair_second(k));
+/// Returns the k-th pair after the first pair whose second position is j. Both counts begin with 0. Without
+/// j, this function is the inverse of pair_to_index().
+constexpr TrivialPair index_to_pair(int k, int j = 0) {
+  return TrivialPair(pair_first(k + j * (j - 1) / 2), pair_second(k + j * (j - 1) / 2));
 }
 
 /// A Rows × Cols Jacobian, stored by columns. Row vectors are declared RowMajor, because Eigen requires it.
@@ -144,6 +150,21 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     } else {
       constructBlocks(this->_information, std::index_sequence_for<VertexTypes...>());
     }
+  }
+
+  /// Adds JᵀΩJ to the Hessian blocks, and JᵀweightedError to the b, of the vertices at the positions N. An
+  /// edge with its own weights overrides constructQuadraticForm(), and calls this function with Ω = `omega`,
+  /// weightedError = −Ωe and N = 0, …, _nr_of_vertices − 1.
+  template <std::size_t... N>
+  void constructQuadraticFormNs(const InformationType& omega, const ErrorVector& weightedError,
+                                std::index_sequence<N...>) {
+    (constructQuadraticFormN<static_cast<int>(N)>(omega, weightedError), ...);
+  }
+  /// Adds the terms of the vertex at position N: its diagonal block, its b, and its off-diagonal blocks with
+  /// the vertices after it.
+  template <int N>
+  void constructQuadraticFormN(const InformationType& omega, const ErrorVector& weightedError) {
+    constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>());
   }
 
   void mapHessianMemory(double* d, int i, int j, bool rowMajor) override {
@@ -250,7 +271,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
       }
     }
     const ErrorVector weightedError = omega * -this->_error;
-    (constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
+    constructQuadraticFormNs(omega, weightedError, std::index_sequence<N...>());
   }
   template <std::size_t... N>
   void constructAtOnce(const double* omegaTriangle, std::index_sequence<N...>) {

@@ -4,10 +4,12 @@
 #ifndef G2O_EIGEN_TYPES_H
 #define G2O_EIGEN_TYPES_H
 
+// clang-format off: this header comes first, because it sets the alignment of Eigen
+#include "g2o/config.h"
+// clang-format on
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-
-#include "g2o/config.h"
 
 namespace g2o {
 

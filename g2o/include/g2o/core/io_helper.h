@@ -4,6 +4,10 @@
 #ifndef G2O_CORE_IO_HELPER_H
 #define G2O_CORE_IO_HELPER_H
 
+// clang-format off: this header comes first, because it sets the alignment of Eigen
+#include "g2o/config.h"
+// clang-format on
+
 #include <Eigen/Core>
 #include <iostream>
 

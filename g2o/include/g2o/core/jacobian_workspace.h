@@ -2,6 +2,7 @@
 #pragma once
 #ifndef G2O_JACOBIAN_WORKSPACE_H
 #define G2O_JACOBIAN_WORKSPACE_H
+#define JACOBIAN_WORKSPACE_H  // the name in g2o, which clients test with #ifdef
 
 #include <vector>
 

@@ -5,6 +5,10 @@
 #ifndef G2O_LINEAR_ENGINE_H
 #define G2O_LINEAR_ENGINE_H
 
+#if __cplusplus < 201703L
+#pragma GCC system_header  // Otherwise, compilers warn about C++17 in this header.
+#endif
+
 #include <functional>
 #include <memory>
 #include <string>

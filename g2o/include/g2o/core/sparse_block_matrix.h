@@ -4,6 +4,10 @@
 #ifndef G2O_SPARSE_BLOCK_MATRIX_
 #define G2O_SPARSE_BLOCK_MATRIX_
 
+#if __cplusplus < 201703L
+#pragma GCC system_header  // Otherwise, compilers warn about C++17 in this header.
+#endif
+
 #include <algorithm>
 #include <fstream>
 #include <iomanip>
@@ -19,6 +23,7 @@
 #include "g2o/core/matrix_structure.h"
 #include "g2o/core/sparse_block_matrix_ccs.h"
 #include "g2o/core/sparse_block_matrix_diagonal.h"
+#include "g2o/stuff/sparse_helper.h"  // clients use writeVector() without including its header
 
 namespace g2o {
 

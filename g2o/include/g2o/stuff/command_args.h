@@ -66,8 +66,9 @@ class G2O_STUFF_API CommandArgs {
   std::string _banner;
   std::string _progName;
 
-  /// Returns the text for a type in the help, or an empty string for an unknown type. The types double,
-  /// float, int, std::string, bool, std::vector<int> and std::vector<double> have the numbers 0 to 6.
+  /// Returns the name of a type, or an empty string for an unknown type. The types double, float, int,
+  /// std::string, bool, std::vector<int> and std::vector<double> have the numbers 0 to 6, and the names
+  /// <double>, <float>, <int>, <string>, <bool>, <vector_int> and <vector_double>.
   const char* type2str(int t) const;
   /// Sets a parameter from text. If the text is invalid, does not change the parameter.
   void str2arg(const std::string& input, CommandArgument& ca) const;

@@ -9,14 +9,26 @@
 
 /// Use PVAR and PVARA after `stream <<`. They write the source text of an expression, followed by its value.
 /// PVARA converts the value from radians to degrees.
+#ifndef PVAR
 #define PVAR(s) #s << " = " << (s) << std::flush
-#define PVARA(s) #s << " = " << RAD2DEG(s) << "deg" << std::flush
+#endif
+#ifndef PVARA
+#define PVARA(s) #s << " = " << ((s)*57.29577951308232087721) << "deg" << std::flush
+#endif
+// Other libraries, such as PCL, have macros with the following names. If their headers come first, their
+// macros stay.
 /// Use FIXED after `stream <<`. It writes a value in fixed notation, and then resets the stream to its
 /// default notation.
+#ifndef FIXED
 #define FIXED(s) std::fixed << (s) << std::resetiosflags(std::ios_base::fixed)
+#endif
 
+#ifndef DEG2RAD
 #define DEG2RAD(x) ((x)*0.01745329251994329575)
+#endif
+#ifndef RAD2DEG
 #define RAD2DEG(x) ((x)*57.29577951308232087721)
+#endif
 
 #if defined(__GNUC__) || defined(__clang__)
 #define G2O_ATTRIBUTE_CONSTRUCTOR(func)                \

@@ -3,6 +3,7 @@
 #pragma once
 #ifndef G2O_PROPERTY_H
 #define G2O_PROPERTY_H
+#define G2O_PROPERTY_H_  // the name in g2o, which clients test with #ifdef
 
 #include <map>
 #include <ostream>

@@ -4,6 +4,10 @@
 #ifndef G2O_UNSCENTED_H
 #define G2O_UNSCENTED_H
 
+// clang-format off: this header comes first, because it sets the alignment of Eigen
+#include "g2o/config.h"
+// clang-format on
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>

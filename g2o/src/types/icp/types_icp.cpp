@@ -13,43 +13,23 @@ G2O_REGISTER_TYPE(EDGE_V_V_GICP, Edge_V_V_GICP);
 
 namespace {
 
-using Native = boxplus::PointObservation3;
-
-/// The axis whose component orthogonal to `normal` is row 1 of its frame: e_y, or e_x if the normal is
-/// (nearly) parallel to e_y. Nearly: within 1e-3 rad, so that the component of e_y keeps 13 correct digits.
-Vector3 axis_across(const Vector3& normal) {
-  constexpr double kMinSine = 1e-3;
-  const bool is_parallel = normal.cross(Vector3::UnitY()).norm() < kMinSine * normal.norm();
-  return is_parallel ? Vector3::UnitX() : Vector3::UnitY();
-}
-
-/// The matrix with the rows n × a, a and n. Here, a is the normalized component of axis_across(n) that is
-/// orthogonal to the normal n.
-Matrix3 frame_of_normal(const Vector3& normal) {
-  const Vector3 axis = axis_across(normal);
-  const Vector3 a = (axis - axis.dot(normal) * normal).normalized();
-  Matrix3 R;
-  R.row(0) = normal.cross(a);
-  R.row(1) = a;
-  R.row(2) = normal;
-  return R;
-}
-
 Matrix3 turned(const Matrix3& R, double across, double along) {
   return R.transpose() * Vector3(across, across, along).asDiagonal() * R;
 }
 
-constexpr double kAcross = 0.01;  // the information orthogonal to the normal; files do not store Ω
+boxplus::SurfaceMatch native(const EdgeGICP& z) {
+  return {z.pos0, z.normal0, z.pos1, z.normal1};
+}
 
 }  // namespace
 
 EdgeGICP::EdgeGICP() = default;
 
 void EdgeGICP::makeRot0() {
-  R0 = frame_of_normal(normal0);
+  R0 = boxplus::detail::frame_of_normal(normal0);
 }
 void EdgeGICP::makeRot1() {
-  R1 = frame_of_normal(normal1);
+  R1 = boxplus::detail::frame_of_normal(normal1);
 }
 
 Matrix3 EdgeGICP::prec0(double e) {
@@ -76,23 +56,17 @@ Edge_V_V_GICP::Edge_V_V_GICP(const Edge_V_V_GICP* e) : pl_pl(e->pl_pl), cov0(e->
 
 void Edge_V_V_GICP::computeError() {
   const VertexSE3 &first = *vertexXn<0>(), &second = *vertexXn<1>();
-  _error = Native(_measurement.pos0)
-               .error(adapters::pose(first), boxplus::Vector3(adapters::pose(second) * _measurement.pos1));
+  _error = native(_measurement).error(adapters::pose(first), adapters::pose(second));
   if (!pl_pl) return;
   const Matrix3 R = first.estimate().linear().transpose() * second.estimate().linear();
   _information = (cov0 + R * cov1 * R.transpose()).inverse();
 }
 
-// A step (Δt, u) of the second pose x₁ moves the point x₁ p₁ by R₁ (Δt − 2 [p₁]× u).
 void Edge_V_V_GICP::linearizeOplus() {
-  const boxplus::SE3 first = adapters::pose(*vertexXn<0>()), second = adapters::pose(*vertexXn<1>());
-  const boxplus::Vector3 point = second * _measurement.pos1;
-  Matrix3 J_point;
-  adapters::linearize(Native(_measurement.pos0),
-                      adapters::Argument<boxplus::SE3>{first, _jacobianOplusXi.data()},
-                      adapters::Argument<boxplus::Vector3>{point, J_point.data()});
-  _jacobianOplusXj.leftCols<3>() = J_point * second.rotation();
-  _jacobianOplusXj.rightCols<3>() = -2 * _jacobianOplusXj.leftCols<3>() * skew(_measurement.pos1);
+  adapters::linearize(
+      native(_measurement),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), _jacobianOplusXi.data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<1>()), _jacobianOplusXj.data()});
 }
 
 bool Edge_V_V_GICP::read(std::istream& is) {
@@ -106,7 +80,7 @@ bool Edge_V_V_GICP::read(std::istream& is) {
   z.makeRot0();
   z.makeRot1();
   setMeasurement(z);
-  setInformation(z.prec0(kAcross));
+  setInformation(z.prec0(boxplus::SurfaceMatch::kAcross));  // files do not store Ω
   return true;
 }
 
@@ -124,7 +98,7 @@ double baseline_times_focal_length() {
 
 /// An observation with the measurement zero. Its error is the position of the point in the frame of the
 /// camera.
-const Native kInCamera{boxplus::Vector3(0, 0, 0)};
+const boxplus::PointObservation3 kInCamera{boxplus::Vector3(0, 0, 0)};
 
 }  // namespace
 

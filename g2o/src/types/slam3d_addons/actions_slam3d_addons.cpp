@@ -23,6 +23,13 @@ Isometry3 piece(const Plane3D& plane, const Vector3& viewer) {
   return result;
 }
 
+/// The point of a line that is nearest to `viewer`, and the direction of the line.
+std::array<Vector3, 2> piece(const Line3D& line, const Vector3& viewer) {
+  const Vector6 coordinates = line.toCartesian();
+  const Vector3 p = coordinates.head<3>(), d = coordinates.tail<3>();
+  return {p + d.dot(viewer - p) * d, d};
+}
+
 Color color_of(const Vector3& rgb) {
   return {rgb[0], rgb[1], rgb[2], 1};
 }
@@ -34,12 +41,20 @@ struct Slam3dAddons {
     if (const auto* pose = dynamic_cast<const VertexSE3*>(v)) return pose->estimate().translation();
     if (const auto* plane = dynamic_cast<const VertexPlane*>(v))
       return piece(plane->estimate(), Vector3::Zero()).translation();
+    if (const auto* line = dynamic_cast<const VertexLine3D*>(v))
+      return piece(line->estimate(), Vector3::Zero())[0];
     return {};
   }
 
   static Sketch sketch(const VertexPlane& v) {
     Sketch sketch;
     sketch.planes = {piece(v.estimate(), Vector3::Zero())};
+    sketch.color = color_of(v.color);
+    return sketch;
+  }
+  static Sketch sketch(const VertexLine3D& v) {
+    Sketch sketch;
+    sketch.pieces = {piece(v.estimate(), Vector3::Zero())};
     sketch.color = color_of(v.color);
     return sketch;
   }
@@ -61,6 +76,16 @@ struct Slam3dAddons {
     sketch.plane_side = 0.5F;
     return sketch;
   }
+  /// The measured line, drawn at the point of the line that is nearest to the sensor.
+  static Sketch sketch(const EdgeSE3Line3D& e) {
+    if (e.vertex(0) == nullptr || e.offsetParameter() == nullptr) return {};
+    const Isometry3 sensor = e.vertexXn<0>()->estimate() * e.offsetParameter()->offset();
+    const std::array<Vector3, 2> seen = piece(sensor * e.measurement(), sensor.translation());
+    Sketch sketch = Sketch::of_line(sensor.translation(), seen[0], color_of(e.color));
+    sketch.pieces = {seen};
+    sketch.piece_length = 4;
+    return sketch;
+  }
   /// The motion of the robot. The third vertex is the pose of the sensor on the robot.
   static Sketch sketch(const EdgeSE3Calib& e) {
     const std::optional<Vector3> from = place(e.vertex(0)), to = place(e.vertex(1));
@@ -69,6 +94,11 @@ struct Slam3dAddons {
 
   static bool write(const VertexPlane& v, std::ostream& os) {
     internal::write_line(os, v.estimate().coeffs());
+    return true;
+  }
+  static bool write(const VertexLine3D& v, std::ostream& os) {
+    internal::write_line(os,
+                         Vector6(v.estimate().toCartesian() + Vector6::Zero()));  // without negative zeros
     return true;
   }
   static bool write(const VertexSE3Euler& v, std::ostream& os) {
@@ -81,14 +111,18 @@ struct Slam3dAddons {
   }
 };
 
-const internal::RegisterActions<Slam3dAddons, VertexPlane, VertexSE3Euler, EdgePlane, EdgeSE3Euler,
-                                EdgeSE3PlaneSensorCalib, EdgeSE3Calib>
+const internal::RegisterActions<Slam3dAddons, VertexPlane, VertexLine3D, VertexSE3Euler, EdgePlane,
+                                EdgeSE3Euler, EdgeSE3PlaneSensorCalib, EdgeSE3Line3D, EdgeSE3Calib>
     actions;
 
 }  // namespace
 
 VertexPlaneDrawAction::VertexPlaneDrawAction()
     : NamedAction(std::make_unique<internal::DrawElementAction<Slam3dAddons, VertexPlane>>()) {}
+VertexLine3DDrawAction::VertexLine3DDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3dAddons, VertexLine3D>>()) {}
+EdgeSE3Line3DDrawAction::EdgeSE3Line3DDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3dAddons, EdgeSE3Line3D>>()) {}
 EdgeSE3PlaneSensorCalibDrawAction::EdgeSE3PlaneSensorCalibDrawAction()
     : NamedAction(std::make_unique<internal::DrawElementAction<Slam3dAddons, EdgeSE3PlaneSensorCalib>>()) {}
 

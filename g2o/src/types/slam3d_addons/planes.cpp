@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "g2o/core/factory.h"
 #include "g2o/types/slam3d_addons/edge_plane.h"
 #include "g2o/types/slam3d_addons/edge_se3_plane_calib.h"
-#include "types/adapters.h"
-
-G2O_USE_TYPE_GROUP(slam3d_addons)  // registers the tags for clients that use only these types
+#include "types/slam3d_addons/adapters_slam3d_addons.h"
 
 namespace g2o {
+namespace {
+
+using Observation = boxplus::PlaneObservation3;
+using Difference = boxplus::PlaneDifference3;
+
+}  // namespace
+
+void Plane3D::oplus(const Vector3& v) {
+  fromVector(boxplus::Manifold<boxplus::Plane3>::oplus(adapters::plane(*this), v.data()).coefficients);
+}
+
+/// The distance that the engine returns is the distance of the other plane minus the distance of this plane.
+Vector3 Plane3D::ominus(const Plane3D& plane) const {
+  Vector3 v;
+  boxplus::Manifold<boxplus::Plane3>::ominus(adapters::plane(plane), adapters::plane(*this), v.data());
+  v[2] = -v[2];
+  return v;
+}
 
 VertexPlane::VertexPlane() = default;
 
@@ -17,17 +32,15 @@ void VertexPlane::oplusImpl(double* update) {
 }
 
 bool VertexPlane::read(std::istream& is) {
-  boxplus::Vector<double, 7> v;
-  if (!adapters::read_value(is, 7, v)) return false;
-  color = v.tail<3>();
-  setEstimate(Plane3D(v.head<4>()));
+  boxplus::Plane3 plane;
+  if (!adapters::read_value(is, 7, plane)) return false;
+  color = adapters::color(plane);
+  setEstimate(Plane3D(plane.coefficients));
   return true;
 }
 
 bool VertexPlane::write(std::ostream& os) const {
-  boxplus::Vector<double, 7> v;
-  v << _estimate.coeffs(), color;
-  return adapters::write_value(os, v);
+  return adapters::write_value(os, adapters::plane(*this));
 }
 
 bool VertexPlane::getEstimateData(double* est) const {
@@ -45,16 +58,22 @@ EdgePlane::EdgePlane() {
 }
 
 void EdgePlane::computeError() {
-  _error = vertexXn<1>()->estimate().coeffs() - vertexXn<0>()->estimate().coeffs() - _measurement;
+  _error = Difference(_measurement).error(adapters::plane(*vertexXn<0>()), adapters::plane(*vertexXn<1>()));
+}
+
+void EdgePlane::linearizeOplus() {
+  adapters::linearize(
+      Difference(_measurement),
+      adapters::Argument<boxplus::Plane3>{adapters::plane(*vertexXn<0>()), _jacobianOplusXi.data()},
+      adapters::Argument<boxplus::Plane3>{adapters::plane(*vertexXn<1>()), _jacobianOplusXj.data()});
 }
 
 bool EdgePlane::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector<double, 4>>(is, 4, _information,
-                                                                [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_edge<Difference>(is, 4, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgePlane::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector<double, 4>(_measurement), _information);
+  return adapters::write_edge(os, Difference(_measurement), _information);
 }
 
 bool EdgePlane::setMeasurementData(const double* d) {
@@ -75,21 +94,29 @@ bool EdgePlane::setMeasurementFromState() {
 EdgeSE3PlaneSensorCalib::EdgeSE3PlaneSensorCalib() = default;
 
 void EdgeSE3PlaneSensorCalib::computeError() {
-  const Isometry3 sensor = vertexXn<0>()->estimate() * vertexXn<2>()->estimate();
-  _error = (sensor.inverse() * vertexXn<1>()->estimate()).ominus(_measurement);
+  _error = Observation(adapters::plane(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::plane(*vertexXn<1>()),
+                      adapters::pose(*vertexXn<2>()));
+}
+
+void EdgeSE3PlaneSensorCalib::linearizeOplus() {
+  adapters::linearize(
+      Observation(adapters::plane(_measurement)),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Plane3>{adapters::plane(*vertexXn<1>()),
+                                          std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
 }
 
 bool EdgeSE3PlaneSensorCalib::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector<double, 7>>(is, 7, _information, [this](const auto& v) {
-    setMeasurement(Plane3D(v.template head<4>()));
-    color = v.template tail<3>();
+  return adapters::read_edge<Observation>(is, 7, _information, [this](const auto& z) {
+    setMeasurement(Plane3D(z.coefficients));
+    color = adapters::color(z);
   });
 }
 
 bool EdgeSE3PlaneSensorCalib::write(std::ostream& os) const {
-  boxplus::Vector<double, 7> v;
-  v << _measurement.coeffs(), color;
-  return adapters::write_measurement(os, v, _information);
+  return adapters::write_edge(os, Observation(adapters::plane(_measurement, color)), _information);
 }
 
 bool EdgeSE3PlaneSensorCalib::setMeasurementData(const double* d) {

@@ -1,64 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with the graph. A click on a finding marks the vertices and edges concerned.
-import { counted } from "../format";
+// What is wrong with the graph: the server's last diagnosis. A click on a finding marks the vertices and edges concerned.
+import { count, counted } from "../format";
 import type { Model } from "../model";
 import type { Connection } from "../protocol/connection";
-import type { Diagnosis, Finding } from "../protocol/diagnosis";
+import { canMark, type Diagnosis, type Finding } from "../protocol/diagnosis";
 import type { Commands } from "./commands";
 import { byId, create, setTextOrHide } from "./dom";
 import type { ElementPanel } from "./element";
 
 export class DiagnosisPanel {
-  private readonly note = byId("diagnosis-note");
+  private readonly button = byId<HTMLButtonElement>("diagnose");
   private readonly list = byId("findings");
+  private diagnosis: Diagnosis | null = null;
   private structure = 0;
 
   constructor(
-    model: Model, private readonly connection: Connection, commands: Commands, private readonly element: ElementPanel,
+    private readonly model: Model, connection: Connection, commands: Commands, private readonly element: ElementPanel,
   ) {
-    const button = byId<HTMLButtonElement>("diagnose");
-    button.addEventListener("click", () => void commands.run("There is no diagnosis", async () => {
-      this.show(await this.connection.diagnosis());
-    }));
-    model.observe(() => (button.disabled = !model.hasGraph || model.isBusy));
+    this.button.addEventListener("click", () => void commands.run("There is no diagnosis", () => connection.diagnose()));
+    model.observe(() => this.update());
   }
 
-  /** The numbers of vertices are those of one structure. */
+  /** The numbers of vertices and lines are those of one structure. */
   setStructure(structure: number): void {
-    if (structure !== this.structure) this.clear("");
+    if (structure === this.structure) return;
     this.structure = structure;
+    this.build();
   }
 
-  /** The estimates have changed. */
-  setFrame(): void {
-    if (this.list.childElementCount > 0) setTextOrHide(this.note, "The estimates have changed since the diagnosis.");
-    else this.clear("");
+  show(diagnosis: Diagnosis): void {
+    this.diagnosis = diagnosis;
+    this.build();
+    this.update();
   }
 
-  private clear(note: string): void {
-    this.list.replaceChildren();
-    setTextOrHide(this.note, note);
+  private update(): void {
+    const { state, hasGraph, isBusy } = this.model;
+    this.button.disabled = !hasGraph || isBusy;
+    if (state?.diagnosis === null && this.diagnosis) {
+      this.diagnosis = null;
+      this.build();
+    }
+    setTextOrHide(byId("diagnosis-note"), this.note());
   }
 
-  private show({ structure, count, findings }: Diagnosis): void {
-    if (structure !== this.structure) return;
-    const rest = count - findings.length;
-    const found = count === 0 ? "Nothing is wrong at these estimates." : `${counted(count, "finding", "findings")}.`;
-    this.clear(rest > 0 ? `${found} The last ${rest} are not listed.` : found);
-    this.list.append(...findings.map((finding) => this.row(finding)));
+  private note(): string {
+    const age = this.model.state?.diagnosis ?? null;
+    if (!this.diagnosis || age === null) return "";
+    const { count: total, findings } = this.diagnosis;
+    const rest = total - findings.length;
+    const found = total === 0 ? "Nothing is wrong at these estimates." : `${counted(total, "finding", "findings")}.`;
+    const notes = [rest > 0 ? `${found} The last ${count(rest)} are not listed.` : found];
+    if (age !== "current") {
+      const what = age === "other graph" ? "graph has" : "estimates have";
+      notes.push(`The ${what} changed since this diagnosis.`);
+      if (total === 0) notes.shift();
+    }
+    return notes.join(" ");
+  }
+
+  private build(): void {
+    this.list.replaceChildren(...(this.diagnosis?.findings ?? []).map((finding) => this.row(finding)));
   }
 
   private row(finding: Finding): HTMLElement {
-    const button = create("button", { className: "quiet", title: "Mark it in the picture" }, finding.text);
-    button.addEventListener("click", () => this.mark(finding));
-    const row = create("li", {}, button);
+    const row = create("li", {}, this.content(finding));
     row.dataset["severity"] = finding.severity;
     row.dataset["kind"] = finding.kind;
     return row;
   }
 
-  private mark({ element, marked }: Finding): void {
-    if (element) this.element.choose(element, true);
-    else this.element.markGroup(marked);
+  private content(finding: Finding): HTMLElement {
+    // An element keeps its name when the graph is edited; numbers do not stay.
+    const is_old = finding.element === null && this.diagnosis!.structure !== this.structure;
+    if (!canMark(finding)) return create("p", {}, finding.text);
+    if (is_old) return create("p", { title: "The graph has changed. Diagnose again to mark it." }, finding.text);
+    const button = create("button", { className: "quiet", title: "Mark it in the picture" }, finding.text);
+    button.addEventListener("click", () => this.mark(finding));
+    return button;
+  }
+
+  private mark(finding: Finding): void {
+    if (finding.element) this.element.choose(finding.element, true);
+    else this.element.markGroup(finding);
   }
 }

@@ -4,6 +4,7 @@ import { count, counted, general } from "../format";
 import { isSameKind, type Structure, type Truth, type VertexGroup } from "../protocol/messages";
 import { type DisplayOptions, defaultOptions, styleOf } from "../scene/display_options";
 import type { ColorMode } from "../scene/coloring";
+import { HUGE, LARGE, type Limited } from "../scene/ellipses";
 import type { GraphScene } from "../scene/graph_scene";
 import type { SceneView } from "../scene/scene_view";
 import { storedOptions, storeOptions } from "../scene/stored_options";
@@ -19,6 +20,7 @@ const COLOR_MODE_NAMES: Record<ColorMode, string> = {
   component: "Connected component",
   uncertainty: "Uncertainty (1σ)",
 };
+const OF_NEWEST = "Uncertainties belong to the newest estimates. The picture shows earlier ones.";
 const MOST_TRACK_LENGTH = 20;
 /** The slider of errors is logarithmic: powers of 10. */
 const LEAST_ERROR_EXPONENT = -1, MOST_ERROR_EXPONENT = 2;
@@ -49,6 +51,7 @@ export class Display {
     view.on_structure = (graph) => this.show(graph);
     view.on_initial = () => this.updateInitialText();
     view.on_truth = () => this.updateTruthText();
+    view.on_newer = () => this.updateTexts();
     view.setOptions(this.options);
     // The theme has other default colors.
     onThemeChange(() => this.structure && this.build(this.structure));
@@ -98,7 +101,7 @@ export class Display {
       typeRow(`vertices-${i}`, structure, group, styleOf(this.options, group), theme));
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
     if (fixed > 0) rows.push(signRow(swatch("ring"), "Fixed", fixed));
-    return [...rows, ...this.initial(), ...this.truth(), ...this.uncertainty()];
+    return [...rows, ...this.initial(), ...this.truth(), ...this.uncertainty(), ...this.scans(structure)];
   }
 
   private colorMode(): HTMLElement {
@@ -169,6 +172,13 @@ export class Display {
     return [create("div", { className: "type-row" }, box, this.compute), this.uncertainty_text];
   }
 
+  private scans({ scans }: Structure): HTMLElement[] {
+    if (!scans) return [];
+    const box = checkBox("show-scans", this.options.shows_scans, [swatch("scan dot"), "Laser scans"], "",
+      (checked) => (this.options.shows_scans = checked));
+    return [create("div", { className: "type-row" }, box, lineNumber(scans.vertices.length))];
+  }
+
   private background(theme: Theme): HTMLElement {
     const default_color = `#${theme.background.getHexString()}`;
     const field = colorField("background", "Background", this.options.background, default_color,
@@ -182,8 +192,7 @@ export class Display {
     this.updateLegend();
     this.updateInitialText();
     this.updateTruthText();
-    const { note } = this.view.shown?.uncertainty ?? { note: "" };
-    setTextOrHide(this.uncertainty_text, note && `${note.charAt(0).toUpperCase()}${note.slice(1)}.`);
+    setTextOrHide(this.uncertainty_text, this.uncertaintyText());
   }
 
   private updateInitialText(): void {
@@ -215,8 +224,19 @@ export class Display {
     this.legend.replaceChildren(...rows, ...notes.map((note) => create("p", { className: "dim" }, note)));
   }
 
+  private uncertaintyText(): string {
+    const { shown, newer } = this.view;
+    if (newer) return newer.uncertainty ? OF_NEWEST : "";
+    const { note } = shown?.uncertainty ?? { note: "" };
+    const limited = this.graph?.limitedUncertainties;
+    if (note === "") return "";
+    const sentence = `${note.charAt(0).toUpperCase()}${note.slice(1)}.`;
+    return limited?.large ? `${sentence} ${limitText(limited)}` : sentence;
+  }
+
   private uncertaintyNotes(): string[] {
     if (this.options.color_mode !== "uncertainty") return [];
+    if (this.view.newer) return [OF_NEWEST];
     if (!this.view.shown?.uncertainty) return ["Compute the uncertainty first."];
     return ["Standard deviation of the position, in the unit of the graph."];
   }
@@ -229,6 +249,16 @@ export class Display {
       (hidden === 0 ? `All ${count(total)} points pass.` : `Hides ${count(hidden)} of ${count(total)} points.`) +
       (is_waiting ? " The errors of points are not known yet." : ""));
   }
+}
+
+/** Which regions are not drawn as they are. */
+function limitText({ large, drawn: outlines, huge }: Limited): string {
+  const percent = (part: number) => `${count(100 * part)} %`;
+  const are = (number: number) => (number === 1 ? "is" : "are");
+  const some = outlines < large ? `${count(outlines)} of them are drawn, as outlines` : "drawn as outlines";
+  const text = `${counted(large, "region is", "regions are")} larger than ${percent(LARGE)} of the graph, and ${some}.`;
+  if (huge === 0) return text;
+  return `${text} ${count(huge)} ${are(huge)} even larger than ${percent(HUGE)}, and drawn with this size instead.`;
 }
 
 /** A line that explains a sign of the picture. */

@@ -27,6 +27,14 @@ export function setTextOrHide(element: HTMLElement, text: string): void {
   element.hidden = text === "";
 }
 
+/** Replaces what is in the place. What is `kept` does not move, so that focus, selection, and a press of a button stay. */
+export function replaceAround(place: HTMLElement, before: Node[], kept: HTMLElement, after: Node[]): void {
+  if (kept.parentElement !== place) place.replaceChildren(kept);
+  for (const child of [...place.childNodes]) if (child !== kept) child.remove();
+  kept.before(...before);
+  kept.after(...after);
+}
+
 /** Calls `change`, and then scrolls to the end if the end was visible before. */
 export function keepAtEnd(scroller: HTMLElement, change: () => void): void {
   const was_at_end = scroller.scrollTop + scroller.clientHeight >= scroller.scrollHeight - 4;

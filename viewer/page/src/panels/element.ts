@@ -1,24 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The selected vertex or edge: what the server knows of it. It is asked again after each command.
-import { counted } from "../format";
 import type { Model } from "../model";
 import type { Connection } from "../protocol/connection";
-import { drawnVertices, type ElementFacts, type ElementName, lastingName } from "../protocol/element";
+import { type Finding, markText } from "../protocol/diagnosis";
+import { drawnPairs, drawnVertices, type ElementFacts, type ElementName, lastingName } from "../protocol/element";
 import type { EditKind, Structure } from "../protocol/messages";
 import type { SceneView } from "../scene/scene_view";
 import type { Commands } from "./commands";
-import { byId, setTextOrHide } from "./dom";
-import { editButtons } from "./element_edits";
+import { byId, replaceAround, setTextOrHide } from "./dom";
+import { editButtons, editState } from "./element_edits";
 import { factsOf } from "./element_facts";
 
 /** A click moves the mouse at most this far. */
 const CLICK_PIXELS = 4;
 
+interface Group {
+  vertices: number[];
+  lines: number[];
+}
+
+const NOTHING: Group = { vertices: [], lines: [] };
+
 export class ElementPanel {
   private chosen: ElementName | null = null;
   private facts: ElementFacts | null = null;
-  /** The numbers of vertices that are marked without facts. */
-  private group: number[] = [];
+  /** The buttons for an element in a state. */
+  private edits: { state: string; place: HTMLElement } | null = null;
+  /** The numbers of vertices and lines that are marked without facts. */
+  private group: Group = NOTHING;
   private graph = 0;
   private structure = 0;
   /** True if the server is to be asked as soon as it is not busy. */
@@ -37,6 +46,7 @@ export class ElementPanel {
       const number = byId<HTMLInputElement>("element-id").value.trim();
       if (number !== "") this.choose({ key: "id", number }, true);
     });
+    byId("unmark").addEventListener("click", () => this.clear());
     model.observe(() => {
       this.enableEdits();
       this.askIfDue();
@@ -48,7 +58,7 @@ export class ElementPanel {
     if (graph !== this.graph) this.clear();
     this.graph = graph;
     if (structure === this.structure) this.mark();
-    else this.group = [];
+    else this.group = NOTHING;
     this.structure = structure;
   }
 
@@ -71,19 +81,19 @@ export class ElementPanel {
     });
   }
 
-  /** Marks several vertices, of which no facts are shown. */
-  markGroup(vertices: number[]): void {
+  /** Marks the vertices and edges of a finding, of which no facts are shown. */
+  markGroup(finding: Finding): void {
     this.clear();
-    setTextOrHide(byId("element-note"), `${counted(vertices.length, "vertex is", "vertices are")} marked.`);
-    this.group = vertices;
+    setTextOrHide(byId("element-note"), markText(finding));
+    this.group = { vertices: finding.vertices.marked, lines: finding.edges.lines };
     this.mark();
-    this.view.goTo(vertices);
+    this.view.goTo([...this.group.vertices, ...this.view.endsOf(this.group.lines)]);
   }
 
   /** Shows the element, and moves the camera if it is not in the picture and `goes_there`. */
   choose(name: ElementName, goes_there: boolean): void {
     this.chosen = name;
-    this.group = [];
+    this.group = NOTHING;
     this.goes_there = goes_there;
     this.is_due = true;
     byId("tab-element").click();
@@ -93,7 +103,7 @@ export class ElementPanel {
 
   private clear(): void {
     this.chosen = null;
-    this.group = [];
+    this.group = NOTHING;
     this.is_due = false;
     ++this.requests;
     this.show(null, "Click a vertex or an edge, or type the id of a vertex.");
@@ -126,13 +136,26 @@ export class ElementPanel {
     this.facts = facts;
     setTextOrHide(byId("element-note"), note);
     const parts = facts ? factsOf(facts, (name) => this.choose(name, true)) : [];
-    if (facts) parts.splice(1, 0, editButtons(facts, (kind, factor) => void this.edit(facts, kind, factor)));
+    const edits = facts && this.editsOf(facts);
     const focused = document.activeElement?.closest("#element-edits") ? document.activeElement.id : "";
-    byId("element-facts").replaceChildren(...parts);
+    if (edits) {
+      const [title, ...others] = parts;
+      replaceAround(byId("element-facts"), [title!], edits, others);
+    } else {
+      byId("element-facts").replaceChildren();
+    }
     this.enableEdits();
     const next = document.getElementById(focused) ?? document.querySelector<HTMLElement>("#element-edits button");
-    if (focused !== "") (next ?? byId("element-id")).focus();
+    if (focused !== "" && document.activeElement?.id !== focused) (next ?? byId("element-id")).focus();
     this.mark();
+  }
+
+  /** Stay as they are as long as they fit, because the user may be typing or pressing one. */
+  private editsOf(facts: ElementFacts): HTMLElement {
+    const state = editState(facts);
+    if (this.edits?.state !== state)
+      this.edits = { state, place: editButtons(facts, (kind, factor) => void this.edit(facts, kind, factor)) };
+    return this.edits.place;
   }
 
   private async edit(facts: ElementFacts, kind: EditKind, factor?: string): Promise<void> {
@@ -161,7 +184,9 @@ export class ElementPanel {
   }
 
   private mark(): void {
-    if (this.facts) this.view.select(drawnVertices(this.facts), true);
-    else this.view.select(this.group, false);
+    const { vertices, lines } = this.group;
+    byId("unmark").hidden = !this.facts && vertices.length + lines.length === 0;
+    if (this.facts) this.view.select(drawnVertices(this.facts), drawnPairs(this.facts));
+    else this.view.select(vertices, this.view.endsOf(lines));
   }
 }

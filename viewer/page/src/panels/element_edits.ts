@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The buttons that change the selected vertex or edge.
-import type { ElementFacts } from "../protocol/element";
+import { type ElementFacts, lastingName } from "../protocol/element";
 import type { EditKind } from "../protocol/messages";
 import { create } from "./dom";
 
 /** What the user typed last. */
 let factor_text = "0.1";
+
+/** Elements with the same state have the same buttons. */
+export function editState(facts: ElementFacts): string {
+  const { key, number } = lastingName(facts);
+  const flags = facts.kind === "vertex" ? [facts.is_fixed, facts.fixed_directions.length > 0] : [facts.is_enabled];
+  return [key, number, ...flags].join(" ");
+}
 
 /** `edit` is called with a factor if the kind is "scale". */
 export function editButtons(facts: ElementFacts, edit: (kind: EditKind, factor?: string) => void): HTMLElement {

@@ -15,11 +15,16 @@ const MOST_BYTES = 2 ** 30;
 
 export class Files {
   private sending = "";
+  private readonly open_buttons: HTMLButtonElement[];
+  /** Those of the buttons while they can be used. */
+  private readonly titles: Map<HTMLButtonElement, string>;
 
   constructor(
     private readonly model: Model, private readonly connection: Connection, private readonly commands: Commands,
     private readonly banners: Banners, private readonly open_truth: HTMLButtonElement | null,
   ) {
+    this.open_buttons = [byId<HTMLButtonElement>("open"), byId<HTMLButtonElement>("open-first"), ...(open_truth ? [open_truth] : [])];
+    this.titles = new Map(this.open_buttons.map((button) => [button, button.title]));
     const input = byId<HTMLInputElement>("file-input");
     for (const id of ["open", "open-first"]) {
       byId(id).addEventListener("click", () => askForFile(input, (file) => this.open(file)));
@@ -67,18 +72,28 @@ export class Files {
   /** The sentence why no file can be opened now, or "". */
   private whyNotNow(): string {
     if (!this.model.connection.connected) return "boxplus does not answer, so no file can be opened.";
+    const never = this.model.state?.opens_no_files;
+    if (never) return sentence(never);
     return this.model.isBusy || this.sending !== "" ? "boxplus is busy. Stop it, or wait, before you open a file." : "";
   }
 
   private update(): void {
     const { state, hasGraph, isBusy } = this.model;
-    const can_open = this.whyNotNow() === "";
-    byId<HTMLButtonElement>("open").disabled = byId<HTMLButtonElement>("open-first").disabled = !can_open;
-    if (this.open_truth) this.open_truth.disabled = !can_open || !hasGraph;
+    const no_file = this.whyNotNow();
+    const no_truth = state?.opens_no_truth ? sentence(state.opens_no_truth) : no_file;
+    for (const button of this.open_buttons) {
+      const why_not = button === this.open_truth ? no_truth : no_file;
+      button.disabled = why_not !== "" || (button === this.open_truth && !hasGraph);
+      button.title = why_not || (this.titles.get(button) ?? "");
+    }
     byId<HTMLButtonElement>("save").disabled = !hasGraph || isBusy || !this.model.form;
     const progress = this.sending || (state?.activity === "reading" ? "Reading the file…" : "");
     setText(byId("progress"), progress);
     byId("progress").hidden = progress === "";
     byId("empty").hidden = state === null || state.file !== null || progress !== "";
   }
+}
+
+function sentence(reason: string): string {
+  return `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`;
 }

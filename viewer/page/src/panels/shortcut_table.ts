@@ -34,6 +34,7 @@ export function shortcutGroups(tools: PictureTools | null, time_line: TimeLinePa
     ];
   }
   groups["Page"] = [
+    { keys: ["Escape"], text: "Unmark", control: "unmark" },
     ...["display", "settings", "iterations", "log", "element"].map((tab, i) => (
       { keys: [String(i + 1)], text: `Tab ${tab.charAt(0).toUpperCase()}${tab.slice(1)}`, control: `tab-${tab}` })),
     { keys: ["h"], text: "Hide or show the panel", control: "toggle-panel" },

@@ -124,6 +124,7 @@ export class TimeLinePanel {
     const moment = this.chosen ?? this.line.newest;
     if (!moment) return;
     if (this.view.shown !== moment.frame) this.view.setFrame(moment.frame);
+    this.view.setNewer(this.chosen && this.line.newest!.frame);
     const { last, index } = this;
     if (last < 1) this.pause();
     this.slider.disabled = this.play_button.disabled = last < 1;

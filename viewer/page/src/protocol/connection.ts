@@ -3,7 +3,6 @@
 // is hidden for long gives its stream back, because browsers open only six connections to a server.
 import { decode } from "./decode";
 import { MessageReader } from "./framing";
-import type { Diagnosis } from "./diagnosis";
 import type { ElementFacts, ElementName } from "./element";
 import type { Command, Message, Pattern } from "./messages";
 
@@ -88,10 +87,10 @@ export class Connection {
     return (await response.json()) as ElementFacts;
   }
 
-  /** Returns what is wrong with the graph. Throws like send(). */
-  async diagnosis(): Promise<Diagnosis> {
+  /** Asks what is wrong with the graph. The stream brings the answer to all pages. Throws like send(). */
+  async diagnose(): Promise<void> {
     const response = await answerTo("/diagnosis", { headers: { "X-Boxplus-Token": this.token }, cache: "no-store" });
-    return (await response.json()) as Diagnosis;
+    await response.text();
   }
 
   /** Returns where H and L have blocks. Throws like send(). */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns payloads into messages. The arrays are views of the payload; nothing is copied.
-import type { Form, Frame, Message, Pattern, StateMessage, Structure, Truth, Uncertainty } from "./messages";
+import type { Diagnosis } from "./diagnosis";
+import type { Form, Frame, Message, Pattern, Scans, StateMessage, Structure, Truth, Uncertainty } from "./messages";
 import type { RawMessage } from "./framing";
 
 interface ArrayEntry {
@@ -28,6 +29,8 @@ export function decode(message: RawMessage): Message | null {
       return { kind: "pattern", pattern: decodePattern(message.payload) };
     case 6:
       return { kind: "truth", truth: decodeTruth(message.payload) };
+    case 7:
+      return { kind: "diagnosis", diagnosis: parseJson(message.payload) as Diagnosis };
     default:
       return null;
   }
@@ -40,7 +43,15 @@ function decodeStructure(payload: Uint8Array<ArrayBuffer>): Structure {
     lines: required(arrays, "edges", Uint32Array),
     fixed: required(arrays, "fixed", Uint8Array),
     track_lengths: optional(arrays, "track_lengths", Uint32Array),
+    scans: scansOf(arrays),
   };
+}
+
+function scansOf(arrays: Map<string, Numbers>): Scans | null {
+  const vertices = optional(arrays, "scan_vertices", Uint32Array);
+  if (!vertices) return null;
+  const counts = required(arrays, "scan_counts", Uint32Array), points = required(arrays, "scan_points", Float32Array);
+  return { vertices, counts, points };
 }
 
 function decodeFrame(payload: Uint8Array<ArrayBuffer>): Frame {

@@ -55,6 +55,12 @@ export function lastingName(facts: ElementFacts): ElementName {
   return facts.kind === "vertex" ? { key: "id", number: facts.id } : { key: "edge", number: String(facts.edge) };
 }
 
+/** Two vertices for each line of an edge: the first one is joined with all others. */
+export function drawnPairs(facts: ElementFacts): number[] {
+  const [first, ...others] = drawnVertices(facts);
+  return others.flatMap((other) => [first!, other]);
+}
+
 /** The numbers of the drawn vertices of the element. */
 export function drawnVertices(facts: ElementFacts): number[] {
   const numbers = facts.kind === "vertex" ? [facts.vertex] : facts.vertices.map(({ vertex }) => vertex);

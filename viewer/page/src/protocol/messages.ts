@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The messages of the server, as viewer/PROTOCOL.md describes them. The names are those of the JSON.
 import type { LineValues } from "../scene/edge_levels";
+import type { Diagnosis } from "./diagnosis";
 
 /** What the server sends for a number that is not finite is null. */
 export type MaybeNumber = number | null;
@@ -50,6 +51,12 @@ export interface StateMessage {
   chi2: MaybeNumber;
   chi2_initial: MaybeNumber;
   can_step: boolean;
+  /** Why no files can be opened; null if they can. */
+  opens_no_files: string | null;
+  /** The same for the truth of this graph. */
+  opens_no_truth: string | null;
+  /** Whether the last diagnosis belongs to what the picture shows; null if there is none. */
+  diagnosis: "current" | "other estimates" | "other graph" | null;
   run: RunMessage | null;
   log: { first: number; lines: LogLine[] };
 }
@@ -95,12 +102,22 @@ export interface Structure {
   fixed: Uint8Array;
   /** The number of observations of each point, beginning with the first vertex that is a point. */
   track_lengths: Uint32Array | null;
+  /** null if there are no laser scans. */
+  scans: Scans | null;
+}
+
+/** The points that lasers have hit. Scan k belongs to the pose `vertices[k]`, and has `counts[k]` points. */
+export interface Scans {
+  vertices: Uint32Array;
+  counts: Uint32Array;
+  /** x, y, z of each point, scan after scan, in the frame of its pose. */
+  points: Float32Array;
 }
 
 /** True if the structures have the same types with the same numbers of vertices, fixed vertices and edges. */
 export function isSameKind(a: Structure, b: Structure): boolean {
-  const kind = ({ dimension, is_bundle, vertices, edges, fixed }: Structure) =>
-    JSON.stringify([dimension, is_bundle, vertices, edges, fixed.reduce((sum, flag) => sum + flag, 0)]);
+  const kind = ({ dimension, is_bundle, vertices, edges, fixed, scans }: Structure) =>
+    JSON.stringify([dimension, is_bundle, vertices, edges, fixed.reduce((sum, flag) => sum + flag, 0), scans?.vertices.length]);
   return kind(a) === kind(b);
 }
 
@@ -215,7 +232,8 @@ export type Message =
   | { kind: "structure"; structure: Structure }
   | { kind: "frame"; frame: Frame }
   | { kind: "truth"; truth: Truth }
-  | { kind: "pattern"; pattern: Pattern };
+  | { kind: "pattern"; pattern: Pattern }
+  | { kind: "diagnosis"; diagnosis: Diagnosis };
 
 /** The values of settings, by their names. */
 export type SettingTexts = Record<string, string>;

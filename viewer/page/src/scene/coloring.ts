@@ -28,6 +28,10 @@ export interface Coloring {
 /** The least degree of each class. */
 const DEGREE_LIMITS = [0, 1, 2, 3, 4, 5, 9, 17];
 const SIGMA_CLASSES = 6;
+/** The part of all standard deviations at each end of their range that does not determine the limits of classes. */
+const IGNORED = 0.02;
+/** Numbers that differ by a smaller factor are one class. */
+const LEAST_RANGE = 1.01;
 
 /** Returns null for colors by type. `uncertainty` is null if it was not computed. */
 export function coloringOf(structure: Structure, mode: ColorMode, uncertainty: Uncertainty | null): Coloring | null {
@@ -93,7 +97,8 @@ function componentRoots({ lines, fixed }: Structure): Uint32Array {
 
 /**
  * Vertices by the standard deviation of their position: the root of the trace of its covariance. The classes divide the range of the
- * logarithms; vertices of which it is not known are the rest.
+ * logarithms, without the smallest and the largest IGNORED of them, which are in the first and in the last class. Vertices of which
+ * it is not known are the rest.
  */
 function uncertaintyColoring(vertices: number, uncertainty: Uncertainty | null): Coloring {
   const { covariances = new Float32Array(0), vertices: numbers = new Uint32Array(0) } = uncertainty ?? {};
@@ -102,18 +107,33 @@ function uncertaintyColoring(vertices: number, uncertainty: Uncertainty | null):
     const [xx, , , yy, , zz] = covariances.subarray(6 * i, 6 * i + 6);
     sigmas[vertex] = Math.sqrt(xx! + yy! + zz!);
   });
-  const known = sigmas.filter((sigma) => sigma > 0 && sigma < Infinity);
-  const least = known.reduce((a, b) => Math.min(a, b), Infinity), most = known.reduce((a, b) => Math.max(a, b), 0);
-  const is_range = most > 1.01 * least;
+  const known = sigmas.filter((sigma) => sigma > 0 && sigma < Infinity).sort();
+  const [least, most] = commonRange(known);
+  const is_range = most > LEAST_RANGE * least;
   const steps = known.length === 0 ? 0 : is_range ? SIGMA_CLASSES : 1;
-  const limit = (i: number) => general(least * (most / least) ** (i / steps), 2);
+  // The first and the last class contain all that is beyond the range.
+  const limit = (i: number) =>
+    shortNumber(i === 0 ? known[0]! : i === steps ? known[known.length - 1]! : least * (most / least) ** (i / steps));
   const all = Array.from({ length: steps }, (_, i) => ({ name: is_range ? `${limit(i)}–${limit(i + 1)}` : limit(i), count: 0 }));
   all.push({ name: "fixed, or not known", count: 0 });
   const of_vertex = Uint8Array.from(sigmas, (sigma) => {
     if (!(sigma > 0 && sigma < Infinity)) return steps;
-    return is_range ? Math.min(steps - 1, Math.floor((steps * Math.log(sigma / least)) / Math.log(most / least))) : 0;
+    const place = is_range ? Math.floor((steps * Math.log(sigma / least)) / Math.log(most / least)) : 0;
+    return Math.max(0, Math.min(steps - 1, place));
   });
   for (const i of of_vertex) ++all[i]!.count;
   const has_rest = all[steps]!.count > 0;
   return { scale: "ramp", has_rest, classes: has_rest ? all : all.slice(0, steps), of_vertex };
+}
+
+/** The range of sorted numbers without the ends that are ignored, unless all others are the same. */
+function commonRange(sorted: Float64Array): [number, number] {
+  const at = (part: number) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))] ?? 0;
+  const least = at(IGNORED), most = at(1 - IGNORED);
+  return most > LEAST_RANGE * least ? [least, most] : [at(0), at(1)];
+}
+
+/** Two digits, or all that are before the point. */
+function shortNumber(value: number): string {
+  return value >= 100 && value < 1e5 ? count(Math.round(value)) : general(value, 2);
 }

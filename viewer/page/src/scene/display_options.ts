@@ -32,6 +32,8 @@ export interface DisplayOptions {
   shows_truth: boolean;
   /** The ellipses of the current estimates, if they were computed. */
   shows_uncertainty: boolean;
+  /** The points that lasers have hit. */
+  shows_scans: boolean;
   /** What the colors of vertices tell. */
   color_mode: ColorMode;
   edge_coloring: EdgeColoring;
@@ -46,6 +48,7 @@ export function defaultOptions(): DisplayOptions {
     shows_initial: false,
     shows_truth: true,
     shows_uncertainty: true,
+    shows_scans: true,
     color_mode: "type",
     edge_coloring: "role",
     limits: { least_track_length: 0, most_error: Infinity },

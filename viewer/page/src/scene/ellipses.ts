@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How uncertain positions are: ellipses in the plane, ellipsoids in space. Their surface is two standard deviations away from the
-// position.
+// position. Transparent areas that cover the whole picture many times take seconds without a graphics card and hide the graph, so
+// of the regions that are large relative to the graph, only some are drawn, and without filling; huge ones are drawn smaller. Many
+// regions have fewer corners.
 import {
   BufferAttribute, type Color, InstancedBufferAttribute, InstancedBufferGeometry, LineSegments, Mesh, type ShaderMaterial,
-  SphereGeometry,
 } from "three";
 import type { Frame, VertexGroup } from "../protocol/messages";
 import { ellipseMaterial } from "./materials";
@@ -11,23 +12,42 @@ import { spreadOrder } from "./spread";
 import type { Vertices } from "./vertices";
 
 const SIGMAS = 2;
-const CORNERS = 48;
+/** Sizes relative to the extent of the graph; the size of a region is the root of the sum of its squared semi-axes. */
+export const LARGE = 0.05, HUGE = 0.1;
+/** The number of regions that are drawn of those that are large or huge. */
+const MOST_LARGE = 80;
+/** The sum of the squared sizes of all filled regions, in the same unit: about how often they cover the picture. */
+const MOST_FILLED = 0.8;
+/** Of all outlines together, and of each of them. The server sends at most 2000 regions. */
+const MOST_LINES = 18_000, MOST_CORNERS = 48;
 const FILL_OPACITY = 0.16, OUTLINE_OPACITY = 0.7;
 /** Over edges; in the plane, also under poses and points. */
 const RENDER_ORDER = 0.5;
 
 type Part = (Mesh | LineSegments) & { geometry: InstancedBufferGeometry; material: ShaderMaterial };
 
+/** A vertex and the columns of the matrix that maps the unit ball to its region. */
+interface Region {
+  vertex: number;
+  columns: number[];
+}
+
+/** The number of regions that are large or huge, of those of them that are drawn, and of huge ones. */
+export interface Limited {
+  large: number;
+  drawn: number;
+  huge: number;
+}
+
 export class Ellipses {
   /** The filled shapes and their outlines. */
   readonly parts: [Part, Part];
-  /** The numbers of the vertices, in the order in which they are drawn. */
-  private vertices: number[] = [];
+  /** What the parts draw, in this order. */
+  private regions: [Region[], Region[]] = [[], []];
   private hidden: VertexGroup[] = [];
-  private readonly is_flat: boolean;
+  limited: Limited = { large: 0, drawn: 0, huge: 0 };
 
-  constructor(dimension: number) {
-    this.is_flat = dimension === 2;
+  constructor() {
     this.parts = [
       new Mesh(new InstancedBufferGeometry(), ellipseMaterial(FILL_OPACITY)),
       new LineSegments(new InstancedBufferGeometry(), ellipseMaterial(OUTLINE_OPACITY)),
@@ -38,15 +58,21 @@ export class Ellipses {
       // Many are smaller than the shape of their pose.
       part.material.depthTest = false;
     }
-    this.build([], new Float32Array(0), () => [0, 0, 0]);
+    this.build(new Float32Array(0));
   }
 
-  update({ uncertainty, positions }: Frame, vertices: Vertices): void {
-    if (!uncertainty && this.vertices.length === 0) return;
-    const numbers = uncertainty?.vertices ?? new Uint32Array(0);
-    const order = [...spreadOrder(numbers.length)];
-    this.vertices = order.map((i) => numbers[i]!);
-    this.build(order, positions, (i) => uncertainty!.covariances.subarray(6 * i, 6 * i + 6));
+  /** `extent` returns the size of the graph. */
+  update({ uncertainty, positions }: Frame, vertices: Vertices, extent: () => number): void {
+    const count = uncertainty?.vertices.length ?? 0;
+    if (count === 0 && this.regions[1].length === 0) return;
+    const regions = [...spreadOrder(count)].map((i) => ({
+      vertex: uncertainty!.vertices[i]!,
+      columns: unitBallMap(uncertainty!.covariances.subarray(6 * i, 6 * i + 6)),
+    }));
+    const { outlined, filled, limited } = limitRegions(regions, count > 0 ? extent() : 0);
+    this.regions = [filled, outlined];
+    this.limited = limited;
+    this.build(positions);
     this.updateVisible(vertices);
   }
 
@@ -59,9 +85,11 @@ export class Ellipses {
   updateVisible({ visible }: Vertices): void {
     const isHidden = (vertex: number) =>
       this.hidden.some(({ first, count }) => vertex >= first && vertex < first + count);
-    const attribute = this.parts[0].geometry.getAttribute("instance_visible");
-    this.vertices.forEach((vertex, i) => attribute.setX(i, visible[vertex] === 1 && !isHidden(vertex) ? 1 : 0));
-    attribute.needsUpdate = true;
+    this.parts.forEach(({ geometry }, i) => {
+      const attribute = geometry.getAttribute("instance_visible");
+      this.regions[i]!.forEach(({ vertex }, k) => attribute.setX(k, visible[vertex] === 1 && !isHidden(vertex) ? 1 : 0));
+      attribute.needsUpdate = true;
+    });
   }
 
   set shown(shown: boolean) {
@@ -72,14 +100,14 @@ export class Ellipses {
     for (const part of this.parts) part.material.uniforms["color"]!.value.copy(color);
   }
 
-  /** The number of ellipses that are drawn if the budget allows it. */
+  /** The number of lines of the outlines that are drawn if the budget allows it. */
   get drawableCount(): number {
-    return this.parts[0].visible ? this.vertices.length : 0;
+    return this.parts[0].visible ? this.regions[1].length * this.corners : 0;
   }
 
   /** Draws only a part (0 to 1) of the ellipses. */
   drawPart(part: number): void {
-    for (const { geometry } of this.parts) geometry.instanceCount = Math.ceil(this.vertices.length * part);
+    this.parts.forEach(({ geometry }, i) => (geometry.instanceCount = Math.ceil(this.regions[i]!.length * part)));
   }
 
   dispose(): void {
@@ -89,27 +117,58 @@ export class Ellipses {
     }
   }
 
-  /** `order` are the numbers of the covariances. */
-  private build(order: number[], positions: Float32Array, covariance: (i: number) => ArrayLike<number>): void {
-    const axes = order.map((i) => unitBallMap(covariance(i)));
-    const attribute = (values: number[], items: number) => new InstancedBufferAttribute(new Float32Array(values), items);
-    const column = (k: number) => attribute(axes.flatMap((axis) => axis.slice(3 * k, 3 * k + 3)), 3);
-    const places = this.vertices.flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]);
-    const attributes = {
-      instance_position: attribute(places.map((x) => (Number.isNaN(x) ? 0 : x)), 3),
-      instance_x: column(0),
-      instance_y: column(1),
-      instance_z: column(2),
-      instance_visible: attribute(order.map(() => 0), 1),
-    };
-    const shapes = this.is_flat ? [disc(), circles(1)] : [ball(), circles(3)];
+  private get corners(): number {
+    return Math.min(MOST_CORNERS, Math.floor(MOST_LINES / Math.max(1, this.regions[1].length)));
+  }
+
+  private build(positions: Float32Array): void {
+    const { corners } = this;
+    const shapes = [disc(corners), circle(corners)];
     this.parts.forEach((part, i) => {
+      const regions = this.regions[i]!;
+      const attribute = (items: number, values: (region: Region) => ArrayLike<number>) => {
+        const array = new Float32Array(items * regions.length);
+        regions.forEach((region, k) => array.set(values(region), items * k));
+        return new InstancedBufferAttribute(array, items);
+      };
       part.geometry.dispose();
       part.geometry = shapes[i]!;
-      part.geometry.instanceCount = order.length;
-      for (const [name, values] of Object.entries(attributes)) part.geometry.setAttribute(name, values);
+      part.geometry.instanceCount = regions.length;
+      part.geometry.setAttribute("instance_position", attribute(3, ({ vertex }) =>
+        positions.subarray(3 * vertex, 3 * vertex + 3).map((x) => (Number.isNaN(x) ? 0 : x))));
+      ["instance_x", "instance_y", "instance_z"].forEach((name, k) =>
+        part.geometry.setAttribute(name, attribute(3, ({ columns }) => columns.slice(3 * k, 3 * k + 3))));
+      part.geometry.setAttribute("instance_visible", attribute(1, () => [0]));
     });
   }
+}
+
+/**
+ * Of the regions that are large or huge for the extent of the graph (if it is not 0), the first ones are not filled, and the others
+ * are left out. Huge regions become smaller without a change of their shape. Of all that are not large, as many are filled as cover
+ * the picture a few times, the smallest first.
+ */
+export function limitRegions(regions: Region[], extent: number): { outlined: Region[]; filled: Region[]; limited: Limited } {
+  const sizes = regions.map(({ columns }) => (extent > 0 ? Math.hypot(...columns) / extent : 0));
+  const is_filled = new Uint8Array(regions.length);
+  let area = 0;
+  for (const i of Uint32Array.from(regions, (_, k) => k).sort((a, b) => sizes[a]! - sizes[b]!)) {
+    area += sizes[i]! ** 2;
+    if (sizes[i]! > LARGE || area > MOST_FILLED) break;
+    is_filled[i] = 1;
+  }
+  const outlined: Region[] = [];
+  const limited = { large: 0, drawn: 0, huge: sizes.filter((size) => size > HUGE).length };
+  regions.forEach((region, i) => {
+    const size = sizes[i]!;
+    if (size <= LARGE || ++limited.large <= MOST_LARGE) outlined.push(size > HUGE ? scaled(region, HUGE / size) : region);
+  });
+  limited.drawn = Math.min(limited.large, MOST_LARGE);
+  return { outlined, filled: regions.filter((_, i) => is_filled[i] === 1), limited };
+}
+
+function scaled({ vertex, columns }: Region, factor: number): Region {
+  return { vertex, columns: columns.map((value) => factor * value) };
 }
 
 /**
@@ -127,35 +186,26 @@ export function unitBallMap(covariance: ArrayLike<number>): number[] {
   return columns.every(Number.isFinite) ? columns : columns.map(() => 0);
 }
 
-function disc(): InstancedBufferGeometry {
-  const corners = Array.from({ length: CORNERS }, (_, i) => [...corner(i), ...corner(i + 1), 0, 0, 0]);
-  return geometryOf(corners.flat());
+/** The unit circle with its center, as triangles. */
+function disc(corners: number): InstancedBufferGeometry {
+  return geometryOf(corners, (a, b) => [a, b, corners]);
 }
 
-function ball(): InstancedBufferGeometry {
-  const sphere = new SphereGeometry(1, 16, 12);
-  const geometry = geometryOf([...sphere.getAttribute("position").array]);
-  geometry.setIndex(sphere.getIndex());
-  return geometry;
+function circle(corners: number): InstancedBufferGeometry {
+  return geometryOf(corners, (a, b) => [a, b]);
 }
 
-/** Unit circles in the planes xy, yz and zx, or in the first of them. */
-function circles(planes: 1 | 3): InstancedBufferGeometry {
-  const lines = Array.from({ length: planes }, (_, plane) =>
-    Array.from({ length: 2 * CORNERS }, (_, i) => {
-      const [x, y, z] = corner(Math.ceil(i / 2));
-      return [[x, y, z], [z, x, y], [y, z, x]][plane]!;
-    }));
-  return geometryOf(lines.flat(2));
-}
-
-function corner(i: number): [number, number, number] {
-  const angle = (2 * Math.PI * i) / CORNERS;
-  return [Math.cos(angle), Math.sin(angle), 0];
-}
-
-function geometryOf(corners: number[]): InstancedBufferGeometry {
+/** `join` returns the numbers for two neighboring corners; the center has the number `corners`. */
+function geometryOf(corners: number, join: (a: number, b: number) => number[]): InstancedBufferGeometry {
+  const places = new Float32Array(3 * (corners + 1));
+  const index: number[] = [];
+  for (let i = 0; i < corners; ++i) {
+    const angle = (2 * Math.PI * i) / corners;
+    places.set([Math.cos(angle), Math.sin(angle)], 3 * i);
+    index.push(...join(i, (i + 1) % corners));
+  }
   const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
+  geometry.setAttribute("position", new BufferAttribute(places, 3));
+  geometry.setIndex(index);
   return geometry;
 }

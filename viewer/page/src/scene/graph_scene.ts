@@ -8,16 +8,17 @@ import { type Coloring, type ColorMode, coloringOf } from "./coloring";
 import { defaultShown, defaultSize, type DisplayOptions, styleOf } from "./display_options";
 import { type EdgeColoring, LEVELS, levelCounts, levelsOf, linesOfLevel, type LineValues } from "./edge_levels";
 import { Edges, linesOf } from "./edges";
-import { Ellipses } from "./ellipses";
+import { Ellipses, type Limited } from "./ellipses";
 import { type Estimates, Ghost, type GhostKind } from "./ghost";
 import { shared } from "./materials";
 import { PointCloud } from "./points";
 import { PointFilter } from "./point_filter";
 import { pick, type Picked, type Place } from "./picking";
 import { Poses } from "./poses";
+import { ScanCloud } from "./scan_cloud";
 import { Selection } from "./selection";
 import type { ShapeName } from "./shapes";
-import { isPoint } from "./statistics";
+import { type Extent, isPoint, robustExtent, union } from "./statistics";
 import { membersOf, Vertices } from "./vertices";
 
 const FIXED_PIXELS = 11;
@@ -42,7 +43,10 @@ export class GraphScene {
   level_counts: number[] | null = null;
   private readonly fixed: PointCloud;
   private readonly ellipses: Ellipses;
+  private readonly scans: ScanCloud | null;
   private readonly ghosts: Record<GhostKind, Ghost | null> = { before: null, truth: null };
+  /** Of the last frame: x, y, z of each vertex; NaN if the vertex is not drawn. */
+  private positions: Float32Array = new Float32Array(0);
   /** Of the last frame. */
   private truth_fit: TruthFit | null = null;
   private readonly selection: Selection;
@@ -70,8 +74,9 @@ export class GraphScene {
     this.fixed.setSize(FIXED_PIXELS);
     this.selection = new Selection(this.vertices);
     this.current.add(...this.selection.objects);
-    this.ellipses = new Ellipses(structure.dimension);
+    this.ellipses = new Ellipses();
     this.current.add(...this.ellipses.parts);
+    this.scans = structure.scans && new ScanCloud(structure.scans);
     for (const part of this.parts()) {
       if (structure.dimension === 2) layInPlane(part);
       this.current.add(part.object);
@@ -80,6 +85,7 @@ export class GraphScene {
 
   update(frame: Frame): void {
     this.place(this.current, frame);
+    this.positions = frame.positions;
     const changed = this.vertices.update(frame);
     for (const group of this.groups) {
       if (group instanceof Poses) group.update(frame, this.vertices);
@@ -93,10 +99,22 @@ export class GraphScene {
       this.uncertainty = frame.uncertainty;
       this.has_new_uncertainty = true;
     }
+    this.scans?.update(frame);
     if (changed) this.updateVisible();
-    this.ellipses.update(frame, this.vertices);
+    this.ellipses.update(frame, this.vertices, () => this.extent()?.box.getSize(new Vector3()).length() ?? 0);
     this.truth_fit = frame.truth;
     this.placeTruth();
+  }
+
+  /** Where the last frame is, and the truth if it is shown; null if nothing is drawn. */
+  extentWithTruth(): Extent | null {
+    const { truth } = this.ghosts;
+    if (!truth?.root.visible) return this.extent();
+    return union(this.extent(), robustExtent(this.structure, truth.estimates.positions, truth.root.matrix));
+  }
+
+  private extent(): Extent | null {
+    return robustExtent(this.structure, this.positions, this.current.matrix);
   }
 
   applyFilter(options: DisplayOptions): void {
@@ -150,6 +168,10 @@ export class GraphScene {
       edges.setColor(edges.level === null ? color : theme.levels[edges.level]!);
     });
     this.fixed.setColor(theme.fixed);
+    if (this.scans) {
+      this.scans.setColor(theme.scan);
+      this.scans.object.visible = options.shows_scans;
+    }
     this.ellipses.setColor(theme.uncertainty);
     this.ellipses.shown = options.shows_uncertainty;
     this.ellipses.hide(this.structure.vertices.filter((_, i) => !this.groups[i]!.object.visible), this.vertices);
@@ -176,9 +198,9 @@ export class GraphScene {
     }, place);
   }
 
-  /** Marks vertices, and joins the first one with all others if they are those of an edge. */
-  select(vertices: number[], are_joined: boolean): void {
-    this.selection.show(vertices, are_joined);
+  /** Marks vertices and lines; `pairs` are two vertices for each line. */
+  select(vertices: number[], pairs: number[]): void {
+    this.selection.show(vertices, pairs);
   }
 
   /** Where the vertex is in the scene; null if it is not drawn. */
@@ -192,24 +214,28 @@ export class GraphScene {
     return (this.center ?? new Vector3()).clone().applyMatrix3(this.rotation);
   }
 
+  /** The uncertainties that are too large for the picture. */
+  get limitedUncertainties(): Limited {
+    return this.ellipses.limited;
+  }
+
   /** How much is drawn without a limit. */
   get drawableCounts(): Budget {
     const count = (parts: { drawableCount: number }[]) => parts.reduce((sum, part) => sum + part.drawableCount, 0);
     return {
-      lines: count(this.edges),
+      lines: count([...this.edges, this.ellipses]),
       poses: count(this.groups.filter((group) => group instanceof Poses)),
-      points: count(this.groups.filter((group) => group instanceof PointCloud)),
+      points: count([...this.groups.filter((group) => group instanceof PointCloud), ...(this.scans ? [this.scans] : [])]),
     };
   }
 
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */
   limit(budget: Budget): void {
     const ghosts = this.shownGhosts();
-    limitParts([...this.edges, ...ghosts.flatMap(({ edges }) => edges)], budget.lines);
+    limitParts([...this.edges, this.ellipses, ...ghosts.flatMap(({ edges }) => edges)], budget.lines);
     limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
     const clouds = this.groups.filter((group) => group instanceof PointCloud);
-    limitParts([...clouds, ...ghosts.flatMap(({ points }) => points)], budget.points);
-    limitParts([this.ellipses], budget.poses);
+    limitParts([...clouds, ...(this.scans ? [this.scans] : []), ...ghosts.flatMap(({ points }) => points)], budget.points);
     this.fixed.drawPart(1);
   }
 
@@ -250,8 +276,8 @@ export class GraphScene {
     truth.root.matrixWorldNeedsUpdate = true;
   }
 
-  private parts(): (Poses | PointCloud | Edges)[] {
-    return [...this.groups, ...this.edges, this.fixed];
+  private parts(): (Poses | PointCloud | Edges | ScanCloud)[] {
+    return [...this.groups, ...this.edges, this.fixed, ...(this.scans ? [this.scans] : [])];
   }
 
   private createGroup(group: VertexGroup): Poses | PointCloud {
@@ -343,7 +369,7 @@ function limitParts(parts: { drawableCount: number; drawPart(part: number): void
 }
 
 /** All parts of a plane are equally deep, so only their order decides which one is on top. */
-function layInPlane(part: Poses | PointCloud | Edges): void {
+function layInPlane(part: Poses | PointCloud | Edges | ScanCloud): void {
   part.object.material.transparent = true;
   part.object.material.depthTest = false;
 }

@@ -87,10 +87,15 @@ export function pointMaterial(is_ring: boolean): ShaderMaterial {
   });
 }
 
-/** One shape per vertex, placed by `instance_position`, with the axes `instance_x`, `instance_y` and `instance_z`. */
+/**
+ * The outline of an ellipsoid per vertex, as the camera sees it: the image of a circle of the unit ball. `instance_position` is the
+ * center, and `instance_x`, `instance_y` and `instance_z` are the columns of the matrix M that maps the ball to the ellipsoid. Rays
+ * d of the camera touch the ellipsoid at M p with p ⟂ M⁻¹d, which is parallel to adj(M) d, also if M is flat.
+ */
 export function ellipseMaterial(opacity: number): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
+    side: DoubleSide,
     transparent: true,
     depthWrite: false,
     uniforms: { ...shared, color: { value: new Color() }, opacity: { value: opacity } },
@@ -99,8 +104,14 @@ export function ellipseMaterial(opacity: number): ShaderMaterial {
       in float instance_visible;
       out float depth;
       void main() {
-        vec3 offset = instance_visible * (mat3(instance_x, instance_y, instance_z) * position);
-        vec4 place = modelViewMatrix * vec4(instance_position + offset, 1.0);
+        vec4 center = modelViewMatrix * vec4(instance_position, 1.0);
+        mat3 M = mat3(modelViewMatrix) * mat3(instance_x, instance_y, instance_z);
+        vec3 d = normalize(center.xyz);
+        vec3 w = vec3(dot(cross(M[1], M[2]), d), dot(cross(M[2], M[0]), d), dot(cross(M[0], M[1]), d));
+        w = dot(w, w) > 0.0 ? normalize(w) : vec3(0.0, 0.0, 1.0);
+        vec3 u = normalize(cross(w, abs(w.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+        vec3 offset = M * (position.x * u + position.y * cross(w, u));
+        vec4 place = center + vec4(instance_visible * offset, 0.0);
         depth = -place.z;
         gl_Position = projectionMatrix * place;
       }`,

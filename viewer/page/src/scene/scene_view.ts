@@ -10,7 +10,7 @@ import { GraphScene } from "./graph_scene";
 import { shared } from "./materials";
 import type { Picked } from "./picking";
 import { Smoothing } from "./smoothing";
-import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./statistics";
+import { type Extent, meanViewDirection, typicalSpacing } from "./statistics";
 
 /** How much of its color the farthest part of a graph in 3-D loses. */
 const FADE = 0.6;
@@ -31,6 +31,8 @@ export class SceneView {
   on_initial: () => void = () => {};
   /** Called after the page learned or forgot the truth. */
   on_truth: () => void = () => {};
+  /** Called after `newer` changed. */
+  on_newer: () => void = () => {};
   /** The number of pictures of graphs that were drawn. */
   pictures = 0;
   private readonly renderer: WebGLRenderer;
@@ -42,6 +44,7 @@ export class SceneView {
   private graph: GraphScene | null = null;
   private frame: Frame | null = null;
   private pending: Frame | null = null;
+  private newest: Frame | null = null;
   /** The estimates of the file; null if the page does not know them. */
   private initial: Frame | null = null;
   /** Those of the current structure; null if no truth is open. */
@@ -96,6 +99,17 @@ export class SceneView {
     this.requestPicture();
   }
 
+  /** The newest frame if the picture shows an older one; otherwise null. */
+  get newer(): Frame | null {
+    return this.newest;
+  }
+
+  setNewer(frame: Frame | null): void {
+    if (frame === this.newest) return;
+    this.newest = frame;
+    this.on_newer();
+  }
+
   /** Takes the estimates of the file, which the options may show under the current ones. */
   setInitial(frame: Frame | null): void {
     this.initial = frame;
@@ -109,6 +123,7 @@ export class SceneView {
     this.true_estimates = truth;
     this.on_truth();
     this.applyTheme();
+    if (this.follows) this.followGraph();
   }
 
   get truth(): Truth | null {
@@ -164,10 +179,16 @@ export class SceneView {
     return this.graph.pick({ x, y, width, height, near }, this.viewProjection());
   }
 
-  /** Marks vertices, and joins the first one with all others if they are those of an edge. */
-  select(vertices: number[], are_joined: boolean): void {
-    this.graph?.select(vertices, are_joined);
+  /** Marks vertices and lines; `pairs` are two vertices for each line. */
+  select(vertices: number[], pairs: number[]): void {
+    this.graph?.select(vertices, pairs);
     this.requestPicture();
+  }
+
+  /** Two vertices for each of the lines. */
+  endsOf(lines: number[]): number[] {
+    const ends = this.graph?.structure.lines;
+    return ends ? lines.flatMap((line) => [ends[2 * line]!, ends[2 * line + 1]!]) : [];
   }
 
   /** Moves the camera if none of the vertices is in the picture. */
@@ -266,7 +287,7 @@ export class SceneView {
 
   private followGraph(): void {
     if (!this.graph || !this.frame) return;
-    const extent = robustExtent(this.graph.structure, this.frame, this.graph.rotation);
+    const extent = this.graph.extentWithTruth();
     if (!extent || (this.fitted && isSimilar(extent, this.fitted))) return;
     this.fitted = extent;
     this.rig.fit(extent);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The center and the size of the graph, and the distances between its vertices. All of them ignore far outliers.
-import { Box3, type Matrix3, Quaternion, Vector3 } from "three";
+import { Box3, type Matrix3, type Matrix4, Quaternion, Vector3 } from "three";
 import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 
 const MOST_SAMPLES = 10_000;
@@ -16,14 +16,20 @@ export function isPoint(group: VertexGroup): boolean {
   return group.shape === "point" || group.shape === "corner";
 }
 
-/** Returns null if no vertex is drawn. `rotation` turns the positions of the frame into those of the scene. */
-export function robustExtent(structure: Structure, frame: Frame, rotation: Matrix3): Extent | null {
-  const poses = sampled(structure.vertices.filter((group) => !isPoint(group)), frame, rotation);
-  const points = sampled(structure.vertices.filter(isPoint), frame, rotation);
+/** Returns null if no vertex is drawn. `matrix` turns the positions (x, y, z of each vertex) into those of the scene. */
+export function robustExtent(structure: Structure, positions: Float32Array, matrix: Matrix4): Extent | null {
+  const poses = sampled(structure.vertices.filter((group) => !isPoint(group)), positions, matrix);
+  const points = sampled(structure.vertices.filter(isPoint), positions, matrix);
   // A reconstruction has many points that are far off, so more of them are ignored.
   const inside = [...inliers(poses, 0.01), ...inliers(points, structure.is_bundle ? 0.08 : 0.02)];
   if (inside.length === 0) return null;
   return { box: new Box3().setFromPoints(inside), sample: inside };
+}
+
+/** The extent of both. */
+export function union(a: Extent | null, b: Extent | null): Extent | null {
+  if (!a || !b) return a ?? b;
+  return { box: a.box.clone().union(b.box), sample: [...a.sample, ...b.sample] };
 }
 
 /**
@@ -67,14 +73,14 @@ function quantile(sorted: ArrayLike<number>, part: number): number {
   return sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))]!;
 }
 
-function sampled(groups: VertexGroup[], frame: Frame, rotation: Matrix3): Vector3[] {
+function sampled(groups: VertexGroup[], positions: Float32Array, matrix: Matrix4): Vector3[] {
   const total = groups.reduce((sum, group) => sum + group.count, 0);
   const stride = Math.max(1, Math.ceil(total / MOST_SAMPLES));
   const samples: Vector3[] = [];
   for (const group of groups) {
     for (let vertex = group.first; vertex < group.first + group.count; vertex += stride) {
-      const position = new Vector3().fromArray(frame.positions, 3 * vertex);
-      if (!Number.isNaN(position.x)) samples.push(position.applyMatrix3(rotation));
+      const position = new Vector3().fromArray(positions, 3 * vertex);
+      if (!Number.isNaN(position.x)) samples.push(position.applyMatrix4(matrix));
     }
   }
   return samples;

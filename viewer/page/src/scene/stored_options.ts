@@ -11,14 +11,15 @@ export function storeOptions(options: DisplayOptions): void {
 
 export function storedOptions(): DisplayOptions {
   const options = defaultOptions();
-  const { styles, background, poses_as_axes, shows_initial, shows_truth, shows_uncertainty, color_mode, edge_coloring, limits } =
-    asRecord(stored("display"));
+  const { styles, background, poses_as_axes, shows_initial, shows_truth, shows_uncertainty, shows_scans, color_mode, edge_coloring,
+    limits } = asRecord(stored("display"));
   for (const [name, style] of Object.entries(asRecord(styles))) options.styles[name] = checkedStyle(asRecord(style));
   if (isColor(background)) options.background = background;
   options.poses_as_axes = poses_as_axes === true;
   options.shows_initial = shows_initial === true;
   options.shows_truth = shows_truth !== false;
   options.shows_uncertainty = shows_uncertainty !== false;
+  options.shows_scans = shows_scans !== false;
   options.color_mode = COLOR_MODES.find((mode) => mode === color_mode) ?? "type";
   if (edge_coloring === "chi2" || edge_coloring === "weight") options.edge_coloring = edge_coloring;
   const { least_track_length, most_error } = asRecord(limits);

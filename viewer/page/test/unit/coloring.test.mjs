@@ -62,6 +62,23 @@ test("the uncertainty of a vertex is the standard deviation of its position", ()
   assert.equal(has_rest, true);
 });
 
+test("a few huge or tiny uncertainties do not determine the classes", () => {
+  const sigmas = Array.from({ length: 100 }, (_, i) => (i < 2 ? 1e-6 : i === 99 ? 1e6 : 2 ** ((6 * (i - 2)) / 96)));
+  const covariances = Float32Array.from(sigmas.flatMap((sigma) => [sigma ** 2, 0, 0, 0, 0, 0]));
+  const uncertainty = { note: "", vertices: Uint32Array.from(sigmas, (_, i) => i), covariances };
+  const { classes } = coloringOf(structure(100, [0, 1]), "uncertainty", uncertainty);
+  assert.deepEqual(classes.map(({ name }) => name), ["1e-6–2", "2–4", "4–8", "8–16", "16–32", "32–1e6"]);
+  for (const each of classes) assert.ok(each.count >= 15, JSON.stringify(classes));
+});
+
+test("one uncertainty that differs from all others has a class of its own", () => {
+  const sigmas = Array.from({ length: 100 }, (_, i) => (i === 7 ? 64 : 1));
+  const covariances = Float32Array.from(sigmas.flatMap((sigma) => [sigma ** 2, 0, 0, 0, 0, 0]));
+  const uncertainty = { note: "", vertices: Uint32Array.from(sigmas, (_, i) => i), covariances };
+  const { classes } = coloringOf(structure(100, [0, 1]), "uncertainty", uncertainty);
+  assert.deepEqual(classes.map(({ count }) => count), [99, 0, 0, 0, 0, 1]);
+});
+
 test("without uncertainties, all vertices are the rest; equal ones are one class", () => {
   const { has_rest, classes } = coloringOf(structure(2, [0, 1]), "uncertainty", null);
   assert.deepEqual([has_rest, classes], [true, [{ name: "fixed, or not known", count: 2 }]]);

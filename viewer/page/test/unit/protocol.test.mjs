@@ -62,6 +62,20 @@ test("the arrays of a frame are views of its payload", () => {
   assert.equal(frame.uncertainty, null);
 });
 
+test("a structure may have laser scans", () => {
+  const numbers = new Uint32Array([7, 2]), points = new Float32Array([1, 2, 3, 4, 5, 6]);
+  const bytes = new Uint8Array([...new Uint8Array(numbers.buffer), ...new Uint8Array(points.buffer)]);
+  const none = { edges: { type: "u32", offset: 0, count: 0 }, fixed: { type: "u8", offset: 0, count: 0 } };
+  const scans = {
+    scan_vertices: { type: "u32", offset: 0, count: 1 }, scan_counts: { type: "u32", offset: 4, count: 1 },
+    scan_points: { type: "f32", offset: 8, count: 6 },
+  };
+  const structureOf = (arrays) => decode({ kind: 2, payload: arraysPayload({ arrays }, bytes) }).structure;
+  const found = structureOf({ ...none, ...scans }).scans;
+  assert.deepEqual([[...found.vertices], [...found.counts], [...found.points]], [[7], [2], [1, 2, 3, 4, 5, 6]]);
+  assert.equal(structureOf(none).scans, null);
+});
+
 test("chi2 of the frame and chi2 of the lines are two things", () => {
   const numbers = new Float32Array([7, 8]);
   const none = { type: "f32", offset: 0, count: 0 };

@@ -3,6 +3,10 @@
 #ifndef G2O_STRUCTURE_ONLY_SOLVER_H
 #define G2O_STRUCTURE_ONLY_SOLVER_H
 
+// clang-format off: this header comes first, because it sets the alignment of Eigen
+#include "g2o/config.h"
+// clang-format on
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@ namespace g2o {
 
 /// The measured image position z (pixels) of a point in a camera. Another camera is the anchor of the point.
 /// If p is the point in the frame of the anchor, the first vertex is ψ = (p_x/p_z, p_y/p_z, 1/p_z). The
-/// second vertex is the camera T, and the third vertex is the anchor T_a. Error: z − cam(T T_a⁻¹ p). The type
-/// has no tag.
+/// second vertex is the camera T, and the third vertex is the anchor T_a. Error: z − cam(T T_a⁻¹ p). Tag:
+/// EDGE_PROJECT_PSI2UV:EXPMAP, which g2o does not register.
 class G2O_TYPES_SBA_API EdgeProjectPSI2UV
     : public BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap> {
  public:

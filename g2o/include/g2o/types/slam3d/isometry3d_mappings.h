@@ -4,6 +4,10 @@
 #ifndef G2O_ISOMETRY3D_MAPPINGS_H_
 #define G2O_ISOMETRY3D_MAPPINGS_H_
 
+// clang-format off: this header comes first, because it sets the alignment of Eigen
+#include "g2o/config.h"
+// clang-format on
+
 #include <Eigen/SVD>
 
 #include "g2o/core/eigen_types.h"

@@ -16,6 +16,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API EdgePlane : public BaseBinaryEdge<4, Vector4, 
   EdgePlane();
 
   void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<4, Vector4, VertexPlane, VertexPlane>::linearizeOplus;
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 

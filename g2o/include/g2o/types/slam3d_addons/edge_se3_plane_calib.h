@@ -18,6 +18,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3PlaneSensorCalib
   EdgeSE3PlaneSensorCalib();
 
   void computeError() override;
+  void linearizeOplus() override;
+  using BaseFixedSizedEdge<3, Plane3D, VertexSE3, VertexPlane, VertexSE3>::linearizeOplus;
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 

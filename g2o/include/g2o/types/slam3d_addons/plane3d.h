@@ -45,21 +45,11 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
 
   /// Turns the normal by azimuth v[0] and elevation v[1], in the frame rotation(normal()). Adds v[2] to the
   /// distance.
-  void oplus(const Vector3& v) {
-    const double s = std::sin(v[1]), c = std::cos(v[1]);
-    const Vector3 n(c * std::cos(v[0]), c * std::sin(v[0]), s);
-    const double d = distance() + v[2];
-    _coeffs.head<3>() = rotation(normal()) * n;
-    _coeffs[3] = -d;
-    normalize(_coeffs);
-  }
+  void oplus(const Vector3& v);
 
   /// Returns the azimuth and the elevation of the other plane's normal in the frame rotation(normal()), and
   /// the distance of this plane minus the distance of the other plane.
-  Vector3 ominus(const Plane3D& plane) const {
-    const Vector3 n = rotation(normal()).transpose() * plane.normal();
-    return Vector3(azimuth(n), elevation(n), distance() - plane.distance());
-  }
+  Vector3 ominus(const Plane3D& plane) const;
 
  protected:
   static void normalize(Vector4& coeffs) { coeffs *= 1 / coeffs.head<3>().norm(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planes, sensor calibration, and poses in the file format of TORO.
+// Planes, lines, sensor calibration, and poses in the file format of TORO.
 #pragma once
 #ifndef G2O_TYPES_SLAM3D_ADDONS_
 #define G2O_TYPES_SLAM3D_ADDONS_
@@ -8,8 +8,11 @@
 #include "g2o/types/slam3d_addons/edge_plane.h"
 #include "g2o/types/slam3d_addons/edge_se3_calib.h"
 #include "g2o/types/slam3d_addons/edge_se3_euler.h"
+#include "g2o/types/slam3d_addons/edge_se3_line.h"
 #include "g2o/types/slam3d_addons/edge_se3_plane_calib.h"
+#include "g2o/types/slam3d_addons/line3d.h"
 #include "g2o/types/slam3d_addons/plane3d.h"
+#include "g2o/types/slam3d_addons/vertex_line3d.h"
 #include "g2o/types/slam3d_addons/vertex_plane.h"
 #include "g2o/types/slam3d_addons/vertex_se3_euler.h"
 

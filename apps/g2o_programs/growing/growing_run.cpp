@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "growing/growing_run.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+
+#include "boxplus/base/error.h"
+#include "common/program.h"
+#include "protocol/protocol.h"
+
+namespace boxplus::programs {
+
+void declare(Arguments& arguments, GrowingOptions& options) {
+  arguments.count("update", options.solver.update_every, 1, std::numeric_limits<int>::max(),
+                  "one iteration over the whole graph after every n new vertices");
+  arguments.flag("v", options.verbose, "print a line per optimization");
+  arguments.flag("g", options.draws, "draw the graph with gnuplot after every optimization");
+}
+
+GrowingRun::GrowingRun(Graph& graph, const GrowingOptions& options)
+    : graph_(graph), options_(options), solver_(graph, options.solver) {
+  if (options.draws) gnuplot_ = std::make_unique<Gnuplot>();
+}
+
+void GrowingRun::solve() {
+  const IncrementalSolver::Work work = solver_.solve();
+  if (work == IncrementalSolver::Work::kNothing) return;
+  if (options_.verbose) print(work == IncrementalSolver::Work::kBatch ? "batch" : "update");
+  if (gnuplot_) gnuplot_->draw(graph_);
+}
+
+void GrowingRun::finish() {
+  solver_.converge();
+  if (options_.verbose) print("batch");
+  if (gnuplot_) gnuplot_->draw(graph_);
+  const Report& report = solver_.report();
+  print_remark(fmt::format("{} vertices, {} edges", graph_.vertex_count(), graph_.edge_count()));
+  if (!report.converged()) print_remark(report.message);
+  print_remark(fmt::format("final chi2 = {:.10g}", report.chi2_final));
+}
+
+void GrowingRun::print(const char* work) const {
+  const Report& report = solver_.report();
+  const char* const plan = report.plan_reused ? "kept" : report.plan_extended ? "extended" : "new";
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  fmt::print(
+      stderr,
+      "{}\t vertices= {}\t edges= {}\t chi2= {:.6g}\t iterations= {}\t plan= {}\t time= {:.6f}\t cumTime= "
+      "{:.6f}\n",
+      work, graph_.vertex_count(), graph_.edge_count(), report.chi2_final, report.iterations, plan,
+      report.time.total_s, elapsed.count());
+}
+
+void serve_protocol(Graph& graph, GrowingRun& run) {
+  CommandStream stream("<stdin>");
+  Protocol protocol(graph, stream.name(),
+                    {.solve = [&] { run.solve(); }, .fix = [&] { run.solver().release_gauge(); }});
+  std::array<char, 1 << 16> piece;
+  while (true) {
+    const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw FileError(stream.name() + ": cannot be read: " + std::strerror(errno));
+    if (count == 0) break;
+    std::string_view received(piece.data(), static_cast<std::size_t>(count));
+    while (const std::optional<CommandText> command = stream.next(received)) {
+      std::string answer;
+      protocol.execute(*command, answer);
+      if (!answer.empty()) print_output(answer);
+    }
+  }
+  stream.finish();
+}
+
+}  // namespace boxplus::programs

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# A pose graph from arrays, in GTSAM.
+
+import worlds
+
+world = worlds.pose_graph()
+
+# [program]
+import gtsam
+import numpy as np
+
+graph = gtsam.NonlinearFactorGraph()
+initial = gtsam.Values()
+for key, pose in enumerate(world.guess):
+    initial.insert(key, gtsam.Pose2(*pose))
+graph.add(gtsam.PriorFactorPose2(0, gtsam.Pose2(), gtsam.noiseModel.Isotropic.Sigma(3, 1e-6)))
+noise = gtsam.noiseModel.Gaussian.Information(world.omega)
+for i, j, z in zip(world.i, world.j, world.z):
+    graph.add(gtsam.BetweenFactorPose2(i, j, gtsam.Pose2(*z), noise))
+optimizer = gtsam.LevenbergMarquardtOptimizer(graph, initial, gtsam.LevenbergMarquardtParams())
+result = optimizer.optimize()
+poses = np.array([[pose.x(), pose.y(), pose.theta()] for pose in map(result.atPose2, range(len(world.guess)))])
+# [/program]

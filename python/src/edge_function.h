@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An error function of Python for many edges at a time.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "boxplus/graph/jacobian_source.h"
+#include "convert.h"
+#include "vertex_kinds.h"
+
+namespace boxplus::python {
+
+/// The inputs of a batch: the estimates of the vertices of n edges, one array of rows per argument of the
+/// error function, and the measurements (n rows), or nothing.
+struct Batch {
+  std::vector<Numbers> estimates;
+  Numbers measurements;
+  bool has_measurements = false;
+};
+
+/// The output for n edges.
+struct BatchResult {
+  int rows = 0;
+  std::vector<double> errors;  ///< n × rows
+  std::vector<double>
+      jacobians;  ///< n blocks of rows × cols, column-major; empty if only errors were asked for
+};
+
+/// A Python object with a method error(estimates…, measurements) and, optionally, jacobians(…), both for many
+/// edges. The object may be used and destroyed by any thread: each function takes Python's lock (GIL), which
+/// the caller need not have.
+class EdgeFunction {
+ public:
+  enum class Want { kErrors, kJacobians, kNumericJacobians };
+
+  /// `kinds`: of the arguments.
+  EdgeFunction(py::object edge, std::vector<const VertexKind*> kinds);
+  ~EdgeFunction();
+  EdgeFunction(const EdgeFunction&) = delete;
+  EdgeFunction& operator=(const EdgeFunction&) = delete;
+
+  const std::vector<const VertexKind*>& kinds() const { return kinds_; }
+  const std::string& name() const { return name_; }
+  bool is(py::handle edge) const { return edge_.is(edge); }
+  /// Where the Jacobians come from: numeric if an exact derivative failed.
+  detail::JacobianSource source() const { return source_; }
+  /// Calls the functions of Python. `rows` is the expected number of rows of the error, or 0 if it is not
+  /// known. Exceptions of Python pass through; a result of the wrong shape is a ValueError.
+  BatchResult operator()(const Batch& batch, int rows, Want want);
+
+  struct Cost {
+    std::int64_t calls = 0, edges = 0;
+    double seconds = 0;
+  };
+  /// Of all calls so far.
+  Cost cost() const { return {calls_, edges_, seconds_}; }
+
+ private:
+  py::object edge_;
+  std::vector<const VertexKind*> kinds_;
+  std::string name_;
+  std::atomic<detail::JacobianSource> source_;
+  std::atomic<std::int64_t> calls_ = 0, edges_ = 0;
+  std::atomic<double> seconds_ = 0;
+};
+
+}  // namespace boxplus::python

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks two guarantees in the C++ sources.
+
+    check_sources.py [ROOT]
+
+Quiet: no source of the library prints, exits or aborts. (The g2o API prints errors on stderr, as g2o does; programs
+may print.)
+Permissive: each file has the license of the project, and includes headers of other libraries only if the table below
+has them. The opt-in solvers of the g2o API alone may include the headers of CHOLMOD and CXSparse.
+"""
+
+import pathlib
+import re
+import sys
+
+LICENSE = "SPDX-License-Identifier: BSD-3-Clause"
+
+# The sources of the library.
+QUIET = ("include", "src", "viewer", "python/src")
+
+# Folders, and the libraries that they may include besides those of the C++ standard and of POSIX. AMD and CAMD are the
+# parts of SuiteSparse under the BSD license.
+EIGEN, OPENGL = ("Eigen/",), ("GL/", "OpenGL/")
+MAY_INCLUDE = {
+    "include": EIGEN,
+    "src": (*EIGEN, "fmt/", "fast_float/", "zlib.h", "amd.h", "camd.h"),
+    "viewer": (*EIGEN, "fmt/", "httplib.h", "nlohmann/"),
+    "python/src": (*EIGEN, "pybind11/"),
+    "apps": (*EIGEN, "fmt/", "CLI/", "nlohmann/", "zlib.h"),
+    "g2o/include": (*EIGEN, *OPENGL),
+    "g2o/src": (*EIGEN, "fmt/", "amd.h"),
+}
+NOT_BY_DEFAULT = ("cholmod.h", "cs.h", "suitesparse/cholmod.h", "suitesparse/cs.h")
+OPT_IN = ("g2o/src/solvers/suitesparse/", "g2o/include/g2o/solvers/cholmod/cholmod_ext.h",
+          "g2o/include/g2o/solvers/csparse/csparse_helper.h")
+SYSTEM = re.compile(r"[a-z0-9_]+|sys/\w+\.h|(?:boxplus|g2o)/.*"
+                    r"|(?:cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
+
+INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*<([^>]+)>", re.MULTILINE)
+COMMENT_OR_TEXT = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'""", re.DOTALL)
+LOUD = re.compile(r"\bstd::(?:cout|cerr|clog|wcout|wcerr)\b|\b(?:stdout|stderr)\b|\bfmt::print\b"
+                  r"|(?<![.>\w])(?:v?f?printf|puts|fputs|putchar|perror|abort|exit|_exit|_Exit|quick_exit|terminate)\s*\(")
+
+
+def blank(match):
+    """A comment or a text without its content, on the same number of lines."""
+    return '"' + "\n" * match[0].count("\n") + '"'
+
+
+def cpp_files(root, folder):
+    files = (root / folder).rglob("*")
+    return sorted(f for f in files if f.suffix in (".h", ".hpp", ".cpp") and "node_modules" not in f.parts)
+
+
+def violations(root):
+    for folder, libraries in MAY_INCLUDE.items():
+        for file in cpp_files(root, folder):
+            path = file.relative_to(root).as_posix()
+            text = file.read_text(encoding="utf-8")
+            if LICENSE not in text[:500]:
+                yield f"{path}:1: the license is missing ({LICENSE})"
+            for match in INCLUDE.finditer(text):
+                header = match[1]
+                is_opt_in = header in NOT_BY_DEFAULT and path.startswith(OPT_IN)
+                if not (SYSTEM.fullmatch(header) or header.startswith(libraries) or is_opt_in):
+                    line = text.count("\n", 0, match.start(1)) + 1
+                    yield f"{path}:{line}: {folder} must not include {header}"
+            if folder not in QUIET:
+                continue
+            code = COMMENT_OR_TEXT.sub(blank, text)
+            for match in LOUD.finditer(code):
+                line = code.count("\n", 0, match.start()) + 1
+                yield f"{path}:{line}: the library must not print, exit or abort ({match[0].rstrip(' (')})"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
+    found = list(violations(root))
+    print(*found, sep="\n", end="\n" if found else "")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

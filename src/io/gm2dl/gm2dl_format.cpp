@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/gm2dl/gm2dl_format.h"
+
+#include "io/g2o/g2o_format.h"
+#include "io/line_reader.h"
+
+namespace boxplus {
+
+FileFormat gm2dl_format() {
+  return {.name = "Gm2dl",
+          .extension = ".gm2dl",
+          .recognize =
+              [](std::string_view text) {
+                const std::string_view tag = first_tag(text);
+                return tag == "VERTEX" || tag == "EDGE";
+              },
+          .read = read_tagged_lines};
+}
+
+}  // namespace boxplus

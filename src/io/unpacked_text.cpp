@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/unpacked_text.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "boxplus/base/error.h"
+#include "io/gzip.h"
+
+namespace boxplus {
+namespace {
+
+/// Longer texts are in a temporary file.
+constexpr std::size_t kLongestInMemory = std::size_t{1} << 26;
+/// A small file can unpack to a thousand times its size, and must not fill the disk.
+constexpr std::size_t kLongest = std::size_t{1} << 36;
+
+FileDescriptor make_temporary(const std::string& path) {
+  std::error_code none;
+  std::string folder = std::filesystem::temp_directory_path(none).string();
+  if (folder.empty()) folder = "/tmp";
+  FileDescriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
+  if (file.is_open()) return file;
+  std::string name = folder + "/boxplus.XXXXXX";  // the file system has no files without a name
+  file = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
+  if (!file.is_open()) fail_at(path, "cannot be unpacked into the folder of temporary files", errno);
+  ::unlink(name.c_str());
+  return file;
+}
+
+/// Collects the text.
+class Unpacker {
+ public:
+  explicit Unpacker(const std::string& path) : path_(path) {}
+
+  void append(std::string_view text) {
+    result_.size += text.size();
+    if (result_.size > kLongest)
+      throw FileError(fmt::format("{}: cannot be unpacked: expected at most {} GiB", path_, kLongest >> 30));
+    if (!result_.file.is_open() && result_.size > kLongestInMemory) {
+      result_.file = make_temporary(path_);
+      write(std::exchange(result_.text, {}));
+    }
+    result_.file.is_open() ? write(text) : void(result_.text += text);
+  }
+  UnpackedText take() { return std::move(result_); }
+
+ private:
+  void write(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t count = ::write(result_.file.value(), text.data(), text.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail_at(path_, "cannot be unpacked into the folder of temporary files", errno);
+      text.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+
+  const std::string& path_;
+  UnpackedText result_;
+};
+
+}  // namespace
+
+bool begins_as_gzip(const FileDescriptor& file, const std::string& path) {
+  char bytes[4];
+  return begins_as_gzip({bytes, read_at(file, path, 0, bytes, sizeof bytes)});
+}
+
+UnpackedText unpack(const FileDescriptor& file, const std::string& path) {
+  std::string memory(std::size_t{1} << 17, '\0');
+  std::size_t offset = 0;
+  const auto next = [&]() -> std::string_view {
+    const std::size_t count = read_at(file, path, offset, memory.data(), memory.size());
+    offset += count;
+    return {memory.data(), count};
+  };
+  Unpacker unpacker(path);
+  unpack_gzip(path, next, [&](std::string_view text) { unpacker.append(text); });
+  return unpacker.take();
+}
+
+UnpackedText unpack(std::string_view packed, const std::string& path) {
+  const auto next = [&] { return std::exchange(packed, {}); };
+  Unpacker unpacker(path);
+  unpack_gzip(path, next, [&](std::string_view text) { unpacker.append(text); });
+  return unpacker.take();
+}
+
+}  // namespace boxplus

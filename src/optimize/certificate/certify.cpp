@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "boxplus/base/error.h"
+#include "boxplus/base/parallel.h"
+#include "boxplus/optimize/certificate.h"
+#include "boxplus/optimize/initial_guess.h"
+#include "boxplus/optimize/optimizer.h"
+#include "optimize/certificate/search.h"
+#include "optimize/outliers/snapshot.h"
+#include "optimize/stopwatch.h"
+
+namespace boxplus {
+namespace {
+
+using namespace certificate;
+
+/// Two minima are the same if their chi2 differs by less than this fraction.
+constexpr double kSame = 1e-6;
+
+class Certifier {
+ public:
+  Certifier(Graph& graph, const CertificateOptions& options, const ChordalProblem& problem)
+      : graph_(graph), options_(options), problem_(problem) {
+    given_.take(graph);
+    result_.relation = problem.relation;
+    result_.chi2 = chi2();
+  }
+
+  Certificate run();
+
+ private:
+  StackedPoses find_chordal_minimum();
+  StackedPoses chordal_guess(const Resources& resources);
+  bool compare(const StackedPoses& poses);
+  bool is_same_minimum(double found);
+  void judge();
+  double chi2() const;
+  double optimized_chi2();
+  double rounding() const;
+
+  Graph& graph_;
+  const CertificateOptions& options_;
+  const ChordalProblem& problem_;
+  Stopwatch watch_;
+  outliers::Snapshot given_;
+  Certificate result_;
+  bool is_global_ = false;  // whether F is within the tolerance of its bound
+};
+
+/// The chi2 of the current estimates with normalized quaternions.
+double Certifier::chi2() const {
+  if (problem_.relation == Certificate::Relation::kEqual) return problem_.cost(read_poses(graph_, problem_));
+  double sum = 0;
+  for (const EdgeRef& edge : problem_.refs) sum += graph_.chi2(edge);
+  return sum;
+}
+
+/// Poses that do not depend on the given estimates.
+StackedPoses Certifier::chordal_guess(const Resources& resources) {
+  PlanRequest request;
+  request.level = -1;
+  request.edges = problem_.refs;
+  request.threads = resources.threads;
+  request.stop = resources.stop;
+  const Plan plan = make_plan(graph_, request);
+  static_cast<void>(guess_chordal(graph_, plan, {.stop = resources.stop, .threads = resources.threads}));
+  StackedPoses poses = read_poses(graph_, problem_);
+  given_.put_back(graph_);
+  return poses;
+}
+
+StackedPoses Certifier::find_chordal_minimum() {
+  const Options& options = options_.options;
+  const Resources resources{options.threads > 0 ? options.threads : detail::hardware_threads(),
+                            StopToken(options.stop, watch_.start(), options.time_limit_s)};
+  Search search(problem_, read_poses(graph_, problem_), options_.tolerance, resources);
+  const auto record = [&] {
+    is_global_ = search.is_global();
+    result_.chordal_cost = search.cost();
+    result_.bound = std::min(search.bound().value_or(0), search.cost());
+    result_.steps = search.steps();
+    result_.escapes = search.escapes();
+  };
+  try {
+    search.run(options_.max_escapes, [&] { return chordal_guess(resources); });
+  } catch (const Stopped&) {
+    record();
+    throw;
+  }
+  record();
+  return search.poses();
+}
+
+/// Minimizes chi2 from the current estimates.
+double Certifier::optimized_chi2() {
+  Options options = options_.options;
+  options.start = Start::kCurrent;
+  options.callback = {};
+  options.noise_tolerance = 0;
+  options.time_limit_s = std::max(0.0, options.time_limit_s - watch_.seconds());
+  const Report report = optimize(graph_, options);
+  const bool by_flag = report.reason == Report::Reason::kStopFlag;
+  if (by_flag || report.reason == Report::Reason::kTimeLimit) throw Stopped(by_flag);
+  return chi2();
+}
+
+/// Whether the given estimates lead to this chi2, too. The run that ended there may have stopped a little
+/// earlier than optimized_chi2() does.
+bool Certifier::is_same_minimum(double found) {
+  constexpr double kEarly = 1e-3;
+  if (found >= result_.chi2 * (1 - kSame)) return true;
+  if (found < result_.chi2 * (1 - kEarly)) return false;
+  given_.put_back(graph_);
+  return found >= optimized_chi2() * (1 - kSame);
+}
+
+/// Minimizes chi2 from the minimum of F. Returns whether this is a better minimum than the given one; then
+/// the graph has its estimates.
+bool Certifier::compare(const StackedPoses& poses) {
+  result_.chi2_from_chordal = result_.chordal_cost;
+  const bool is_chi2 = result_.relation == Certificate::Relation::kEqual;
+  if (is_chi2 && result_.chordal_cost >= result_.chi2 * (1 - kSame)) return false;
+  write_poses(poses, problem_, graph_);
+  result_.chi2_from_chordal = optimized_chi2();
+  outliers::Snapshot found;
+  found.take(graph_);
+  if (is_same_minimum(result_.chi2_from_chordal)) return false;
+  found.put_back(graph_);
+  return true;
+}
+
+void Certifier::judge() {
+  if (!is_global_) {
+    result_.note = "no better minimum was found";
+    if (result_.bound > 0) {
+      result_.note +=
+          fmt::format(", and the {} cannot be lower than {:.10g}, but this is a relative {:.1e} lower",
+                      result_.relation == Certificate::Relation::kEqual ? "chi2" : "chordal cost",
+                      result_.bound, result_.relative_gap());
+    }
+  } else if (result_.chi2_from_chordal > result_.chi2 * (1 + kSame)) {
+    result_.note = "a run from the global minimum of the chordal cost ends at a higher chi2";
+  } else {
+    result_.verdict = Certificate::Verdict::kGlobalMinimum;
+  }
+}
+
+/// The chi2 that rounding errors cause at estimates that fit all measurements. A lower chi2 is not possible.
+double Certifier::rounding() const {
+  constexpr double kRelative = 1e-13;
+  double extent2 = 1, weights = 0;
+  for (const StackedPose& pose : read_poses(graph_, problem_))
+    extent2 = std::max(extent2, pose.row(problem_.dimension).squaredNorm());
+  for (const ChordalEdge& edge : problem_.edges) weights += edge.weight.trace();
+  return kRelative * kRelative * weights * extent2;
+}
+
+Certificate Certifier::run() {
+  try {
+    if (result_.chi2 <= rounding()) {
+      result_.verdict = Certificate::Verdict::kGlobalMinimum;
+    } else if (compare(find_chordal_minimum())) {
+      result_.verdict = Certificate::Verdict::kLocalMinimum;
+      result_.better_chi2 = result_.chi2_from_chordal;
+    } else {
+      given_.put_back(graph_);
+      judge();
+    }
+  } catch (const Stopped& stopped) {
+    given_.put_back(graph_);
+    result_.note = stopped.by_flag() ? "the search was stopped" : "the time limit was reached";
+  }
+  result_.time_s = watch_.seconds();
+  return std::move(result_);
+}
+
+void check(const CertificateOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1))
+    throw InvalidArgument("certify: expected a tolerance in (0, 1), got " +
+                          std::to_string(options.tolerance));
+  if (options.max_escapes < 0)
+    throw InvalidArgument("certify: expected max_escapes ≥ 0, got " + std::to_string(options.max_escapes));
+}
+
+}  // namespace
+
+std::string why_not_certifiable(const Graph& graph, const Options& options) {
+  ChordalProblem problem;
+  std::string complaint;
+  read_problem(graph, options, problem, complaint);
+  return complaint;
+}
+
+Certificate certify(Graph& graph, const CertificateOptions& options) {
+  check(options);
+  ChordalProblem problem;
+  std::string complaint;
+  if (!read_problem(graph, options.options, problem, complaint))
+    throw InvalidArgument("certify: expected a graph of relative poses, but " + complaint);
+  return Certifier(graph, options, problem).run();
+}
+
+}  // namespace boxplus

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/certificate/chordal_problem.h"
+
+#include "boxplus/base/error.h"
+#include "optimize/initial_guess/frame_math.h"
+#include "optimize/initial_guess/nearest_rotation.h"
+
+namespace boxplus::certificate {
+namespace {
+
+detail::Frame frame_of(const Graph& graph, const VertexRef& vertex) {
+  detail::Frame frame;
+  graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame);
+  return frame;
+}
+
+/// D = X_to − B X_from
+StackedPose difference(const ChordalEdge& edge, const StackedPoses& poses) {
+  return poses[edge.to] - edge.motion.lazyProduct(poses[edge.from]);
+}
+
+}  // namespace
+
+double ChordalProblem::cost(const StackedPoses& poses) const {
+  double sum = 0;
+  for (const ChordalEdge& edge : edges) {
+    const StackedPose d = difference(edge, poses);
+    sum += d.cwiseProduct(edge.weight.lazyProduct(d)).sum();
+  }
+  return sum;
+}
+
+StackedPoses ChordalProblem::gradient(const StackedPoses& poses) const {
+  StackedPoses result(poses.size(), StackedPose::Zero(dimension + 1, poses.front().cols()));
+  for (const ChordalEdge& edge : edges) {
+    const StackedPose weighted = edge.weight.lazyProduct(difference(edge, poses));
+    result[edge.to] += weighted;
+    result[edge.from] -= edge.motion.transpose().lazyProduct(weighted);
+  }
+  return result;
+}
+
+StackedPoses read_poses(const Graph& graph, const ChordalProblem& problem) {
+  const int d = problem.dimension;
+  StackedPoses poses;
+  poses.reserve(problem.vertices.size());
+  for (const VertexRef& vertex : problem.vertices) {
+    const detail::Frame frame = frame_of(graph, vertex);
+    const guess::SmallMatrix rotation = guess::rotation_of(frame);
+    StackedPose pose(d + 1, d);
+    pose.topRows(d) = guess::nearest_rotation(rotation).value_or(rotation).transpose();
+    pose.row(d) = guess::translation_of(frame).transpose();
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+StackedPoses round_poses(const StackedPoses& poses, const ChordalProblem& problem) {
+  const int d = problem.dimension;
+  StackedPoses result;
+  result.reserve(poses.size());
+  for (const StackedPose& pose : poses) {
+    StackedPose rounded = pose.leftCols(d);
+    const guess::SmallMatrix relaxed = rounded.topRows(d);
+    rounded.topRows(d) = guess::nearest_rotation(relaxed).value_or(guess::SmallMatrix::Identity(d, d));
+    result.push_back(rounded);
+  }
+  return result;
+}
+
+void write_poses(const StackedPoses& poses, const ChordalProblem& problem, Graph& graph) {
+  const StackedPoses rounded = round_poses(poses, problem);
+  for (const std::uint32_t node : problem.moving) {
+    const VertexRef& vertex = problem.vertices[node];
+    detail::Frame frame = frame_of(graph, vertex);
+    guess::set_rotation(frame, rounded[node].topRows(problem.dimension).transpose());
+    guess::set_translation(frame, rounded[node].row(problem.dimension).transpose());
+    graph.vertex_pools()[vertex.pool]->set_frame(vertex.slot, frame);
+  }
+}
+
+}  // namespace boxplus::certificate

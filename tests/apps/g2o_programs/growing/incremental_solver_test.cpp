@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "growing/incremental_solver.h"
+
+#include <gtest/gtest.h>
+
+#include "boxplus/testing/simulate.h"
+#include "growing/graph_feed.h"
+
+namespace boxplus::programs {
+namespace {
+
+using Work = IncrementalSolver::Work;
+
+TEST(IncrementalSolver, WorkIsDueAfterNewVertices) {
+  const Simulation simulation = simulate(World::kManhattan, {.poses = 100});
+  Graph graph;
+  GraphFeed feed(simulation.graph, simulation.edges, graph);
+  IncrementalSolver solver(graph, {.update_every = 10, .batch_every = 40});
+  int updates = 0, batches = 0;
+  while (feed.step()) {
+    const Work work = solver.solve();
+    updates += work == Work::kUpdate;
+    batches += work == Work::kBatch;
+    if (work == Work::kUpdate) {
+      EXPECT_LE(solver.report().iterations, 1);
+    }
+  }
+  EXPECT_EQ(std::pair(updates, batches), std::pair(8, 2));
+}
+
+TEST(IncrementalSolver, PlansAreExtendedAndTheGaugeIsReleasedAgain) {
+  Simulation simulation = simulate(World::kManhattan, {.poses = 300});
+  simulation.graph.unfix(*simulation.graph.find_vertex(0));
+  Graph graph;
+  GraphFeed feed(simulation.graph, simulation.edges, graph);
+  EXPECT_FALSE(feed.is_anchored());
+  IncrementalSolver solver(graph, {.update_every = 5});
+  int extended = 0;
+  while (feed.step()) {
+    if (solver.solve() == Work::kUpdate) extended += solver.report().plan_extended;
+  }
+  EXPECT_GE(extended, 50);
+  EXPECT_TRUE(graph.is_fixed(*graph.find_vertex(0)));
+  solver.release_gauge();
+  EXPECT_FALSE(graph.is_fixed(*graph.find_vertex(0)));
+  solver.converge();
+  EXPECT_TRUE(solver.report().converged());
+  EXPECT_FALSE(graph.is_fixed(*graph.find_vertex(0)));
+}
+
+TEST(IncrementalSolver, AGrownGraphEndsAtTheOptimumOfTheWholeGraph) {
+  for (const World world : {World::kManhattan, World::kCity, World::kSphere, World::kPlanes}) {
+    Simulation simulation = simulate(world, {.poses = 400, .seed = 7});
+    const Report best = optimize(simulation.truth);
+    for (const bool pcg : {false, true}) {
+      Graph graph;
+      GraphFeed feed(simulation.graph, simulation.edges, graph);
+      IncrementalSolver solver(graph, {.pcg = pcg});
+      while (feed.step()) solver.solve();
+      solver.converge();
+      EXPECT_TRUE(solver.report().converged()) << to_string(world);
+      EXPECT_NEAR(solver.report().chi2_final, best.chi2_final, 1e-5 * best.chi2_final)
+          << to_string(world) << pcg;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace boxplus::programs

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stubs of the module in mypy: a right program has no errors, and a wrong program has the expected ones."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import boxplus
+
+MYPY = shutil.which("mypy")
+if MYPY is None:
+    print("SKIPPED: there is no mypy")
+    sys.exit(77)
+
+RIGHT = """
+from typing import Any
+
+import numpy as np
+from boxplus import (SE2, SE3, BatchedEdge, Between, Graph, Optimizer, Options, PositionPrior, Prior, StopFlag, Vector2, Vector3,
+                     VertexRef, covariance, diagnose, find_outliers, load, optimize, plot, rows, se3_sigmas)
+
+
+class Distance(BatchedEdge):
+    def error(self, a: Any, b: Any, z: Any) -> Any:
+        return np.linalg.norm(a[:, :2] - b[:, :2], axis=1) - z[:, 0]
+
+
+graph = Graph()
+a: VertexRef = graph.add_vertex(SE2(0, 0, 0), id=0)
+graph.add_vertex(Vector2(1, 2))
+graph.add_vertex([1, 2])
+numbers: np.ndarray[Any, np.dtype[np.float64]] = Vector3(1, 2, 3)
+ids = graph.add_vertices(SE2, None, np.zeros((3, 3)))
+graph.add_vertices(Vector3, np.arange(10, 12), np.zeros((2, 3)))
+edge = graph.add_edge(Between(SE2(1, 0, 0)), a, 3, information=np.eye(3))
+graph.add_edge(lambda x: x.theta(), 3)
+graph.add_edges(Distance(), ids[:-1], ids[1:], measurements=np.ones(2), informations=3.0)
+graph.add_edges(Between, ids[:-1], ids[1:], measurements=np.zeros((2, 3)))
+graph.set_kernel([edge], "Huber", 1)
+report = optimize(graph, Options(max_iterations=3), stop=StopFlag(), start="odometry")
+total: float = report.chi2_final + Optimizer(graph).run().chi2_start()
+found, poses = graph.estimates(SE2)
+moved = rows.times(poses, poses)[:, 0] + covariance(graph, [a, 3]).of(a)[0, 0]
+point = SE3().inverse_times([1.0, 2.0, 3.0]) + (SE3() * SE3()).translation()
+plot.trajectory(graph)
+"""
+
+WRONG = """
+from boxplus import SE2, Graph, Vector2, optimize, rows
+graph = Graph()
+Vector2("x", 1)  # error: arg-type
+graph.fix(SE2())  # error: arg-type
+optimize(graph).chi2_finale  # error: attr-defined
+graph.add_vertices(float, None, [])  # error: arg-type
+rows.inverse(1)  # error: arg-type
+graph.add_vertx(SE2())  # error: attr-defined
+"""
+
+
+def check(program):
+    """The output of mypy for a program."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "program.py"
+        path.write_text(program, encoding="utf-8")
+        return subprocess.run([MYPY, "--strict", "--no-color-output", "--cache-dir", folder, path], capture_output=True, text=True,
+                              check=False, env={**os.environ, "MYPYPATH": str(pathlib.Path(boxplus.__file__).parents[1])}).stdout
+
+
+class Types(unittest.TestCase):
+    def test_a_right_program_has_no_errors(self):
+        self.assertIn("Success", check(RIGHT))
+
+    def test_a_wrong_program_has_the_expected_errors(self):
+        lines = WRONG.splitlines()
+        expected = [(number, line.split("# error: ")[1]) for number, line in enumerate(lines, 1) if "# error: " in line]
+        found = re.findall(r"^.*program\.py:(\d+): error: .*\[([\w-]+)\]$", check(WRONG), re.MULTILINE)
+        self.assertEqual([(int(number), code) for number, code in found], expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
