@@ -135,15 +135,27 @@ Json records_json(const std::vector<IterationRecord>& records) {
   return result;
 }
 
+/// Returns the report with the chi2 of the result: --certify may have found a better minimum, or two.
+Report report_of_result(const Report& run, const RunFacts& facts) {
+  Report report = run;
+  for (const std::optional<Certificate>& certificate : {facts.certificate, facts.of_better}) {
+    if (certificate && certificate->verdict == Certificate::Verdict::kLocalMinimum)
+      report.chi2_final = certificate->better_chi2;
+  }
+  return report;
+}
+
 }  // namespace
 
-std::string report_json(const Report& report, const RunFacts& facts) {
+std::string report_json(const Report& run, const RunFacts& facts) {
+  const Report report = report_of_result(run, facts);
   const Json json = {{"input", facts.input},
                      {"status", to_string(report.status)},
                      {"reason", to_string(report.reason)},
                      {"message", report.message},
                      {"chi2_initial", report.chi2_initial},
                      {"chi2_final", report.chi2_final},
+                     {"chi2_final_of_run", run.chi2_final},
                      {"iterations", report.iterations},
                      {"start", start_json(report.start)},
                      {"gauge", gauge_json(report.gauge)},
