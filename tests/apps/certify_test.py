@@ -73,5 +73,13 @@ class CertifyTest(CommandCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("--kernel excludes --certify", done.stderr)
 
+    def test_says_that_no_certificate_was_tried_if_the_run_is_not_converged(self):
+        report = self.path / "report.json"
+        done = run("optimize", TOWN, "--certify", "--iterations", 1, "--json", report)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stdout, r"\nNo certificate was tried, because the run is not converged: the iteration limit is reached\.\n")
+        self.assertIsNone(json.loads(report.read_text(encoding="utf-8"))["certificate"])
+        self.assertNotIn("certificate", run("optimize", TOWN, "--iterations", 1).stdout)
+
 if __name__ == "__main__":
     main()
