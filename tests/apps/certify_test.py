@@ -39,6 +39,7 @@ class CertifyTest(CommandCase):
         self.assertEqual((certificate["verdict"], certificate["relation"]), ("global-minimum", "equal"))
         self.assertLess(certificate["relative_gap"], 1e-6)
         self.assertIsNone(report["certificate_of_better"])
+        self.assertEqual(report["chi2_final"], report["chi2_final_of_run"])
 
     def test_replaces_a_local_minimum_by_a_better_one(self):
         output = self.path / "out.g2o"
@@ -46,7 +47,9 @@ class CertifyTest(CommandCase):
         self.assertIn("The minimum is a local one: there is a better one with chi2", text)
         certificate = report["certificate"]
         self.assertEqual(certificate["verdict"], "local-minimum")
-        self.assertAlmostEqual(certificate["chi2"] / report["chi2_final"], 1, 6)
+        self.assertAlmostEqual(certificate["chi2"] / report["chi2_final_of_run"], 1, 6)
+        self.assertEqual(report["chi2_final"], certificate["better_chi2"])
+        self.assertAlmostEqual(report["chi2_per_degree"] * report["degrees_of_freedom"] / report["chi2_final"], 1, 9)
         self.assertLess(certificate["better_chi2"], 0.1 * certificate["chi2"])
         self.assertEqual(report["certificate_of_better"]["verdict"], "global-minimum")
         chi2 = json.loads(run("info", output, "--json", "-").stdout)["chi2"]
@@ -69,6 +72,14 @@ class CertifyTest(CommandCase):
         done = run("optimize", TOWN, "--certify", "--kernel", "Cauchy")
         self.assertEqual(done.returncode, 2)
         self.assertIn("--kernel excludes --certify", done.stderr)
+
+    def test_says_that_no_certificate_was_tried_if_the_run_is_not_converged(self):
+        report = self.path / "report.json"
+        done = run("optimize", TOWN, "--certify", "--iterations", 1, "--json", report)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stdout, r"\nNo certificate was tried, because the run is not converged: the iteration limit is reached\.\n")
+        self.assertIsNone(json.loads(report.read_text(encoding="utf-8"))["certificate"])
+        self.assertNotIn("certificate", run("optimize", TOWN, "--iterations", 1).stdout)
 
 if __name__ == "__main__":
     main()

@@ -188,6 +188,7 @@ class ColmapTest(CommandCase):
         self.assertRegex(text, r"median \d")
         graph = self.written("graph.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n")
         self.assert_refused(run("plot", graph, "-o", out, "--reprojection-errors"), "expected a graph of bundle adjustment")
+        self.assert_refused(run("plot", self.folder, "-o", out, "--reprojection-errors", "--truth", self.folder), "--truth")
 
     def test_bad_input_is_refused(self):
         (self.folder / "cameras.txt").write_text("4 FISH 640 480 480 320 240 0\n", encoding="utf-8")

@@ -72,5 +72,49 @@ class OutliersTest(CommandCase):
                              "EDGE_SE2 0 2 2 0 0 1 0 0 1 0 1\n")
         self.assert_refused(run("optimize", graph, "--outliers", "loop-closures"), "odometry")
 
+    def test_info_counts_and_lists_the_false_closures_as_optimize_does(self):
+        before, report = self.graph.read_bytes(), self.path / "report.json"
+        search = ("--outliers", "loop-closures", "--json")
+        self.assertEqual(run("optimize", self.graph, *search, report).returncode, 0)
+        outliers = json.loads(report.read_text(encoding="utf-8"))["outliers"]
+        facts = json.loads(run("info", self.graph, *search, "-").stdout)
+        self.assertEqual(facts.pop("outliers"), outliers)
+        plain = json.loads(run("info", self.graph, "--json", "-").stdout)
+        self.assertIsNone(plain.pop("outliers"))
+        self.assertEqual(facts, plain)  # the search changes no other fact
+        self.assertEqual(self.graph.read_bytes(), before)
+
+        text = run("info", self.graph, *search[:2]).stdout
+        self.assertIn(f"\n  outliers: {self.wrong} of 144 loop closures are false; {144 - self.wrong} fit\n", text)
+        rejected = [edge for edge in outliers["closures"] if edge["verdict"] == "outlier"]
+        rejected.sort(key=lambda edge: -edge["chi2"])
+        table = text.split("worst outliers")[1].splitlines()[1:]
+        rows = [line.replace(",", "").split() for line in table[:10]]
+        self.assertEqual([(row[0], {*map(int, row[3:])}) for row in rows],
+                         [("EDGE_SE2", {edge["from"], edge["to"]}) for edge in rejected[:10]])
+        self.assertEqual(table[10:], [])
+        lines = self.graph.read_text(encoding="utf-8").splitlines()
+        for row in rows:
+            self.assertEqual(lines[int(row[2]) - 1].split()[:3], [row[0], *row[3:]])
+
+    def test_info_judges_all_edges_beside_a_kernel(self):
+        search = ("info", self.graph, "--outliers", "all", "--json", "-")
+        alone, both = (json.loads(run(*search, *more).stdout) for more in ((), ("--kernel", "Cauchy")))
+        self.assertEqual(len(alone["outliers"]["edges"]), alone["edges"])
+        self.assertGreater(alone["outliers"]["outliers"], 0.9 * self.wrong)
+        self.assertEqual(both["outliers"], alone["outliers"])
+
+    def test_info_says_why_there_are_no_verdicts_and_prints_the_rest(self):
+        graph = self.written("far.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nVERTEX_SE2 2 2 0 0\n"
+                             "EDGE_SE2 0 2 2 0 0 1 0 0 1 0 1\n")
+        search = ("info", graph, "--outliers", "loop-closures")
+        plain, done = run("info", graph), run(*search)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout.startswith(plain.stdout), done.stdout)
+        self.assertRegex(done.stdout[len(plain.stdout):], r"\A\n  outliers: no verdicts: [^\n]*expected odometry[^\n]*\n\Z")
+        facts = json.loads(run(*search, "--json", "-").stdout)
+        self.assertIsNone(facts["outliers"])
+        self.assertIn("expected odometry", facts["outliers_obstacle"])
+
 if __name__ == "__main__":
     main()

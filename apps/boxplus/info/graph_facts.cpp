@@ -6,10 +6,12 @@
 #include <limits>
 #include <map>
 
+#include "boxplus/base/error.h"
 #include "boxplus/io/data.h"
 #include "boxplus/io/registry.h"
 #include "boxplus/linearize/plan.h"
 #include "info/components.h"
+#include "optimize/optimize_run.h"
 
 namespace boxplus::app {
 namespace {
@@ -111,13 +113,32 @@ void find_edge_types(const Graph& graph, const std::vector<EdgeFacts>& edges, Gr
   }
 }
 
-void find_worst(std::vector<EdgeFacts> edges, std::size_t count, GraphFacts& facts) {
+/// Returns the `count` edges with the largest chi2, the worst one first.
+std::vector<EdgeFacts> worst_of(std::vector<EdgeFacts> edges, std::size_t count) {
   const auto end = edges.begin() + static_cast<std::ptrdiff_t>(std::min(count, edges.size()));
   std::partial_sort(edges.begin(), end, edges.end(), [](const EdgeFacts& a, const EdgeFacts& b) {
     return std::pair(-badness(a.chi2), a.edge) < std::pair(-badness(b.chi2), b.edge);
   });
-  facts.worst.assign(edges.begin(), end);
+  edges.erase(end, edges.end());
+  return edges;
 }
+
+/// Finds the facts about single edges, with their lines.
+class EdgeFinder {
+ public:
+  EdgeFinder(const GraphFile& file, const std::vector<std::int64_t>& edge_lines) : graph_(file.graph) {
+    for (std::size_t k = 0; k < edge_lines.size(); ++k) line_of_.emplace(file.edges[k], edge_lines[k]);
+  }
+  EdgeFacts operator()(EdgeRef edge) const {
+    EdgeFacts facts = facts_of(graph_, edge);
+    if (const auto line = line_of_.find(edge); line != line_of_.end()) facts.line = line->second;
+    return facts;
+  }
+
+ private:
+  const Graph& graph_;
+  std::map<EdgeRef, std::int64_t> line_of_;
+};
 
 }  // namespace
 
@@ -140,7 +161,7 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
     ++facts.roles[static_cast<std::size_t>(role(file.edges[k]))];
   }
   find_edge_types(graph, edges, facts);
-  find_worst(std::move(edges), worst, facts);
+  facts.worst = worst_of(std::move(edges), worst);
   find_components(graph, plan, role, facts);
   for (const GraphFile::KeptLine& line : file.kept) {
     if (const std::string_view tag = data_tag_of(line.text); !tag.empty()) ++facts.data[std::string(tag)];
@@ -150,20 +171,37 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
 
 DiagnosisFacts find_diagnosis(const GraphFile& file, const std::vector<std::int64_t>& edge_lines) {
   Diagnosis diagnosis = diagnose(file.graph);
-  std::map<EdgeRef, std::int64_t> line_of;
-  for (std::size_t k = 0; k < edge_lines.size() && !diagnosis.findings.empty(); ++k)
-    line_of.emplace(file.edges[k], edge_lines[k]);
+  const EdgeFinder find_edge(file, edge_lines);
   DiagnosisFacts facts;
   facts.at_minimum = diagnosis.at_minimum;
   for (Finding& finding : diagnosis.findings) {
     FindingFacts& added = facts.findings.emplace_back();
-    for (const EdgeRef& edge : finding.edges) {
-      added.edges.push_back(facts_of(file.graph, edge));
-      const auto line = line_of.find(edge);
-      if (line != line_of.end()) added.edges.back().line = line->second;
-    }
+    for (const EdgeRef& edge : finding.edges) added.edges.push_back(find_edge(edge));
     added.finding = std::move(finding);
   }
+  return facts;
+}
+
+OutlierFacts find_false_edges(const GraphFile& file, const std::vector<std::int64_t>& edge_lines,
+                              const Options& options, Suspects suspects) {
+  constexpr std::size_t kShown = 10;
+  OutlierFacts facts;
+  Graph graph = file.graph;
+  Progress progress(choose_progress(false, false));
+  try {
+    facts.found = run_find_outliers(graph, options, suspects, progress);
+  } catch (const InvalidArgument& error) {
+    facts.obstacle = error.what();
+    return facts;
+  }
+  const EdgeFinder find_edge(file, edge_lines);
+  std::vector<EdgeFacts> outliers;
+  for (const EdgeVerdict& edge : facts.found->verdicts) {
+    if (edge.verdict != Verdict::kOutlier) continue;
+    outliers.push_back(find_edge(edge.edge));
+    outliers.back().chi2 = edge.chi2;
+  }
+  facts.worst = worst_of(std::move(outliers), kShown);
   return facts;
 }
 

@@ -11,6 +11,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/diagnose.h"
+#include "boxplus/optimize/outliers.h"
 #include "optimize/report_json.h"
 #include "viewer/scene/edge_roles.h"
 
@@ -67,6 +68,13 @@ struct DiagnosisFacts {
   std::vector<FindingFacts> findings;
 };
 
+/// The verdicts on edges that may be false.
+struct OutlierFacts {
+  std::optional<OutlierReport> found;
+  std::string obstacle;          ///< why there are no verdicts; empty if there are some
+  std::vector<EdgeFacts> worst;  ///< the outliers with the largest chi2 against the estimates of the search
+};
+
 struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
@@ -83,6 +91,7 @@ struct GraphFacts {
   int dimension = 0;           ///< the dimension of the world; 0 if no vertex has a position
   std::array<double, 3> extent{};  ///< the size of the box that contains all positions, in meters
   std::optional<DiagnosisFacts> diagnosis;
+  std::optional<OutlierFacts> outliers;
   std::map<std::string, std::size_t> data;  ///< the number of lines of data with each tag
 };
 
@@ -90,5 +99,8 @@ struct GraphFacts {
 GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& edge_lines, std::size_t worst);
 /// Diagnoses the graph of the file.
 DiagnosisFacts find_diagnosis(const GraphFile& file, const std::vector<std::int64_t>& edge_lines);
+/// Finds the false edges in a copy of the graph, and shows progress on a terminal.
+OutlierFacts find_false_edges(const GraphFile& file, const std::vector<std::int64_t>& edge_lines,
+                              const Options& options, Suspects suspects);
 
 }  // namespace boxplus::app

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "command.h"
 #include "command_line/option_kinds.h"
@@ -23,6 +24,7 @@ namespace {
 struct InfoArguments : viewer::RunSettings {
   std::string input, json, matrix;
   std::size_t worst = 5;
+  std::optional<Suspects> suspects;  ///< of --outliers
   bool diagnose = false;
   ReadOptions reading{.indefinite = ReadOptions::Indefinite::kProject};
 };
@@ -46,6 +48,8 @@ int describe_file(const InfoArguments& arguments) {
   const std::vector<std::int64_t> edge_lines = find_edge_lines(text, file, arguments.reading);
   GraphFacts facts = find_facts(file, edge_lines, arguments.worst);
   facts.keeps_indefinite = arguments.reading.indefinite == ReadOptions::Indefinite::kAsGiven;
+  if (arguments.suspects)
+    facts.outliers = find_false_edges(file, edge_lines, arguments.options, *arguments.suspects);
   try_kernel(file.graph, arguments, facts);
   if (arguments.diagnose) facts.diagnosis = find_diagnosis(file, edge_lines);
   if (!arguments.matrix.empty()) write_output(arguments.matrix, matrix_text(file.graph, arguments.matrix));
@@ -84,6 +88,9 @@ void add_info(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->group("Output");
   add_robust_options(*command, *arguments);
+  add_suspects_option(*command, arguments->suspects,
+                      "Say which edges look false, and look for them among the loop closures (edges between "
+                      "poses whose ids are not consecutive) or among all edges");
   add_reading_options(*command, arguments->reading);
   command->footer(
       "Examples:\n"
@@ -91,6 +98,7 @@ void add_info(CLI::App& app, Action& action) {
       "  boxplus info graph.g2o --json - | jq .chi2\n"
       "  boxplus info graph.g2o --diagnose\n"
       "  boxplus info graph.g2o --kernel Tukey --kernel-on loop-closures\n"
+      "  boxplus info graph.g2o --outliers loop-closures\n"
       "  boxplus info graph.g2o --matrix H.mtx\n"
       "\n"
       "--diagnose examines the estimates of the file: before a run, or the result of a run.\n"
@@ -100,7 +108,10 @@ void add_info(CLI::App& app, Action& action) {
       "that is not fixed has a block of rows; comments in the file name its vertex (docs/formats.md).\n"
       "\n"
       "With --kernel, it counts the edges that the kernel rejects at the estimates of the file. chi2 is\n"
-      "computed without the kernel.");
+      "computed without the kernel.\n"
+      "\n"
+      "--outliers optimizes a copy of the graph, as boxplus optimize --outliers does, counts the false\n"
+      "edges, and lists up to ten of them, those with the largest chi2 first (docs/outliers.md).");
   command->callback([&action, arguments] { action = [arguments] { return describe_file(*arguments); }; });
 }
 

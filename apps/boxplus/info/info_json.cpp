@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "info/info_text.h"
+#include "optimize/outlier_search.h"
 
 namespace boxplus::app {
 namespace {
@@ -134,6 +135,9 @@ Json diagnosis_json(const GraphFacts& facts, const Graph& graph) {
 std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std::string& name) {
   Json worst = Json::array();
   for (const EdgeFacts& edge : facts.worst) worst.push_back(edge_json(edge));
+  Json outliers, obstacle;
+  if (facts.outliers && facts.outliers->found) outliers = outliers_json(*facts.outliers->found);
+  if (facts.outliers && !facts.outliers->found) obstacle = facts.outliers->obstacle;
   const Json json = {{"input", name},
                      {"vertices", facts.vertices},
                      {"parameters", facts.parameters},
@@ -150,6 +154,8 @@ std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std
                      {"isolated", facts.isolated},
                      {"worst_edges", worst},
                      {"diagnosis", diagnosis_json(facts, file.graph)},
+                     {"outliers", outliers},
+                     {"outliers_obstacle", obstacle},
                      {"data", facts.data},
                      {"kept_lines", file.kept.size()},
                      {"skipped_lines", file.skipped},

@@ -10,6 +10,7 @@
 #include "command_line/message.h"
 #include "command_line/table.h"
 #include "optimize/optimize_report.h"
+#include "optimize/outlier_search.h"
 
 namespace boxplus::app {
 namespace {
@@ -134,25 +135,40 @@ std::string edge_types_text(const GraphFacts& facts) {
   return "\n" + table.text();
 }
 
-std::string worst_text(const GraphFacts& facts) {
-  if (facts.worst.empty()) return {};
+/// Lists edges with their chi2, and with its share of `total` unless that is absent.
+std::string edges_table(const std::string& title, const std::vector<EdgeFacts>& edges,
+                        std::optional<double> total) {
+  if (edges.empty()) return {};
   // A COLMAP model has no lines of edges.
-  const bool has_lines = std::any_of(facts.worst.begin(), facts.worst.end(),
-                                     [](const EdgeFacts& edge) { return edge.line > 0; });
-  const auto row = [has_lines](std::string edge, std::string chi2, std::string share, std::string line,
-                               std::string vertices) {
-    std::vector<std::string> cells{std::move(edge), std::move(chi2), std::move(share)};
+  const bool has_lines =
+      std::any_of(edges.begin(), edges.end(), [](const EdgeFacts& edge) { return edge.line > 0; });
+  const auto row = [&](std::string edge, std::string chi2, std::string share, std::string line,
+                       std::string vertices) {
+    std::vector<std::string> cells{std::move(edge), std::move(chi2)};
+    if (total) cells.push_back(std::move(share));
     if (has_lines) cells.push_back(std::move(line));
     cells.push_back(std::move(vertices));
     return cells;
   };
-  Table table(row("<worst edges", "chi2", "share", "line", "<between"));
-  for (const EdgeFacts& edge : facts.worst) {
-    const double share = facts.chi2 > 0 ? 100 * edge.chi2 / facts.chi2 : 0;
+  Table table(row("<" + title, "chi2", "share", "line", "<between"));
+  for (const EdgeFacts& edge : edges) {
+    const double share = total.value_or(0) > 0 ? 100 * edge.chi2 / *total : 0;
     table.add(row(escaped(edge.tag), number(edge.chi2, 6), fmt::format("{:.1f} %", share),
                   edge.line > 0 ? fmt::format("{}", edge.line) : "?", list(edge.vertices)));
   }
   return "\n" + table.text();
+}
+
+std::string false_edges_text(const GraphFacts& facts) {
+  if (!facts.outliers) return {};
+  if (!facts.outliers->found) return fmt::format("\n  outliers: no verdicts: {}\n", facts.outliers->obstacle);
+  const OutlierReport& found = *facts.outliers->found;
+  std::string text =
+      fmt::format("\n  outliers: {}; {} fit\n", verdicts_text(found), found.count(Verdict::kInlier));
+  if (!found.note.empty()) text += fmt::format("  note: {}\n", found.note);
+  if (!found.report.converged())
+    text += fmt::format("  the final run of the search is not converged: {}\n", found.report.message);
+  return text + edges_table("worst outliers", facts.outliers->worst, std::nullopt);
 }
 
 std::string anchor_text(const ComponentFacts& component) {
@@ -207,7 +223,8 @@ std::string diagnosis_text(const GraphFacts& facts) {
 
 std::string facts_text(const GraphFacts& facts, const std::string& name) {
   return escaped(name) + "\n" + summary_text(facts) + vertex_types_text(facts) + edge_types_text(facts) +
-         components_text(facts) + worst_text(facts) + diagnosis_text(facts);
+         components_text(facts) + edges_table("worst edges", facts.worst, facts.chi2) +
+         false_edges_text(facts) + diagnosis_text(facts);
 }
 
 }  // namespace boxplus::app

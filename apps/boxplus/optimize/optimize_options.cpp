@@ -124,20 +124,11 @@ void add_bundle_options(CLI::App& command, OptimizeArguments& arguments) {
 }
 
 void add_outlier_options(CLI::App& command, OptimizeArguments& arguments) {
-  const auto set = [&arguments](const std::string& text) {
-    if (text != "none") arguments.suspects = text == "all" ? Suspects::kAll : Suspects::kLoopClosures;
-  };
-  CLI::Option* outliers =
-      command
-          .add_option_function<std::string>("--outliers", set,
-                                            "Find false edges, and optimize without them: among the loop "
-                                            "closures (edges between poses whose ids are not "
-                                            "consecutive) or among all edges. Begins with the odometry, if "
-                                            "there is any, not with --start")
-          ->check(CLI::IsMember({"none", "loop-closures", "all"}))
-          ->type_name("NAME")
-          ->default_str("none")
-          ->group("Outliers");
+  CLI::Option* outliers = add_suspects_option(
+      command, arguments.suspects,
+      "Find false edges, and optimize without them: among the loop closures (edges between "
+      "poses whose ids are not consecutive) or among all edges. Begins with the odometry, "
+      "if there is any, not with --start");
   for (const char* other : {"--kernel", "--only-vertices", "--view"})
     outliers->excludes(command.get_option(other));
   command
@@ -175,6 +166,18 @@ void add_certify_option(CLI::App& command, OptimizeArguments& arguments) {
 
 void add_robust_options(CLI::App& command, viewer::RunSettings& settings) {
   add_settings(command, "Outliers", settings);
+}
+
+CLI::Option* add_suspects_option(CLI::App& command, std::optional<Suspects>& suspects,
+                                 const std::string& help) {
+  const auto set = [&suspects](const std::string& text) {
+    if (text != "none") suspects = text == "all" ? Suspects::kAll : Suspects::kLoopClosures;
+  };
+  return command.add_option_function<std::string>("--outliers", set, help)
+      ->check(CLI::IsMember({"none", "loop-closures", "all"}))
+      ->type_name("NAME")
+      ->default_str("none")
+      ->group("Outliers");
 }
 
 void add_optimize_options(CLI::App& command, OptimizeArguments& arguments) {

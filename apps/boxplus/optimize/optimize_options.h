@@ -15,12 +15,17 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace boxplus::app {
 
 /// Adds --kernel and the options that belong to it. They set `settings`.
 void add_robust_options(CLI::App& command, viewer::RunSettings& settings);
+
+/// Adds --outliers with this help. It sets `suspects`, which stays empty if the user chooses "none".
+CLI::Option* add_suspects_option(CLI::App& command, std::optional<Suspects>& suspects,
+                                 const std::string& help);
 
 struct OptimizeArguments : viewer::RunSettings, ServingArguments {
   std::string input, output, json, outlier_list;

@@ -47,6 +47,10 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
     text += fmt::format("\n{}; chi2 is computed with the kernel.\n", kernel_text(facts.kernel, facts.edges));
   }
   if (facts.outliers) text += "\n" + outliers_text(*facts.outliers);
+  if (arguments.certify && !facts.certificate) {
+    text += fmt::format("\nNo certificate was tried, because the run is not converged: {}.\n",
+                        to_string(report.reason));
+  }
   if (facts.certificate) text += fmt::format("\n{}\n", to_string(*facts.certificate));
   if (facts.of_better) text += fmt::format("The better one is the result. {}\n", to_string(*facts.of_better));
   if (facts.skipped_lines > 0)

@@ -118,17 +118,19 @@ Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& 
 }
 
 OutlierReport run_find_outliers(Graph& graph, const OptimizeArguments& arguments, Progress& progress) {
-  OutlierOptions options;
-  options.options = arguments.options;
-  options.suspects = *arguments.suspects;
-  options.options.stop = Interrupt::flag();
-  options.options.callback = [&progress](const IterationRecord& record) {
+  const FixForRun fixed(graph, arguments);
+  return run_find_outliers(graph, arguments.options, *arguments.suspects, progress);
+}
+
+OutlierReport run_find_outliers(Graph& graph, const Options& options, Suspects suspects, Progress& progress) {
+  OutlierOptions search{.options = options, .suspects = suspects};
+  search.options.stop = Interrupt::flag();
+  search.options.callback = [&progress](const IterationRecord& record) {
     progress.iteration(record);
     return true;
   };
-  const FixForRun fixed(graph, arguments);
   progress.stage("finding outliers …");
-  OutlierReport found = find_outliers(graph, options);
+  OutlierReport found = find_outliers(graph, search);
   progress.erase();
   return found;
 }

@@ -23,8 +23,9 @@ viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& setting
 /// user stops it in `view`, which may be null.
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress, LiveView* view);
 
-/// Does the same, but finds the false loop closures, and optimizes without them.
+/// Does the same, but finds the false edges, and optimizes without them.
 OutlierReport run_find_outliers(Graph& graph, const OptimizeArguments& arguments, Progress& progress);
+OutlierReport run_find_outliers(Graph& graph, const Options& options, Suspects suspects, Progress& progress);
 
 /// Throws InvalidArgument if the graph cannot be certified.
 void require_certifiable(const Graph& graph, const OptimizeArguments& arguments);

@@ -6,6 +6,7 @@
 
 #include "boxplus/linear/instruction_set.h"
 #include "boxplus/optimize/diagnose.h"
+#include "optimize/outlier_search.h"
 
 namespace boxplus::app {
 namespace {
@@ -62,25 +63,6 @@ Json kernel_json(const viewer::KernelFacts& kernel) {
   Json widths = Json::object();
   for (const auto& [rows, width] : kernel.widths) widths[std::to_string(rows)] = width;
   return {{"name", kernel.name}, {"width_by_rows", widths}, {"edges", kernel.edges}};
-}
-
-Json outliers_json(const std::optional<OutlierReport>& found) {
-  if (!found) return nullptr;
-  Json edges = Json::array();
-  for (const EdgeVerdict& edge : found->verdicts) {
-    edges.push_back({{"from", edge.from},
-                     {"to", edge.to},
-                     {"verdict", to_string(edge.verdict)},
-                     {"weight", edge.weight},
-                     {"chi2", edge.chi2},
-                     {"supported", edge.supported}});
-  }
-  return {{"inliers", found->count(Verdict::kInlier)},
-          {"outliers", found->count(Verdict::kOutlier)},
-          {"undecided", found->count(Verdict::kUndecided)},
-          {"noise_scale", found->noise_scale},
-          {"note", found->note},
-          {found->suspects == Suspects::kAll ? "edges" : "closures", edges}};
 }
 
 Json certificate_json(const std::optional<Certificate>& certificate) {
@@ -153,22 +135,34 @@ Json records_json(const std::vector<IterationRecord>& records) {
   return result;
 }
 
+/// Returns the report with the chi2 of the result: --certify may have found a better minimum, or two.
+Report report_of_result(const Report& run, const RunFacts& facts) {
+  Report report = run;
+  for (const std::optional<Certificate>& certificate : {facts.certificate, facts.of_better}) {
+    if (certificate && certificate->verdict == Certificate::Verdict::kLocalMinimum)
+      report.chi2_final = certificate->better_chi2;
+  }
+  return report;
+}
+
 }  // namespace
 
-std::string report_json(const Report& report, const RunFacts& facts) {
+std::string report_json(const Report& run, const RunFacts& facts) {
+  const Report report = report_of_result(run, facts);
   const Json json = {{"input", facts.input},
                      {"status", to_string(report.status)},
                      {"reason", to_string(report.reason)},
                      {"message", report.message},
                      {"chi2_initial", report.chi2_initial},
                      {"chi2_final", report.chi2_final},
+                     {"chi2_final_of_run", run.chi2_final},
                      {"iterations", report.iterations},
                      {"start", start_json(report.start)},
                      {"gauge", gauge_json(report.gauge)},
                      {"kernel", kernel_json(facts.kernel)},
                      {"rejection", rejection_json(report)},
                      {"findings", findings_json(report.findings)},
-                     {"outliers", outliers_json(facts.outliers)},
+                     {"outliers", facts.outliers ? outliers_json(*facts.outliers) : Json(nullptr)},
                      {"certificate", certificate_json(facts.certificate)},
                      {"certificate_of_better", certificate_json(facts.of_better)},
                      {"algorithm", report.algorithm},

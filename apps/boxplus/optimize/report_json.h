@@ -25,6 +25,8 @@ struct RunFacts {
 };
 
 /// Returns an indented JSON object that ends with a newline. Values that are not finite become null.
-std::string report_json(const Report& report, const RunFacts& facts);
+/// chi2_final and the values that follow from it are those of the written result; chi2_final_of_run is that
+/// of the run, before --certify replaced a local minimum.
+std::string report_json(const Report& run, const RunFacts& facts);
 
 }  // namespace boxplus::app

@@ -144,6 +144,7 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
   command
       .add_flag("--reprojection-errors", arguments.has_error_chart,
                 "Bundle adjustment: draw the reprojection errors of each image as a box chart, not the graph")
+      ->excludes(command.get_option("--truth"))
       ->group(kLookGroup);
   command
       .add_flag("--equal-scale", picture.has_one_scale,
