@@ -51,9 +51,9 @@ class VertexReplacement {
 
   VertexHandle<New> new_vertex(VertexRef old) const { return file_.graph.template vertex<New>(ids_.at(old)); }
 
-  /// Calls `replace(EdgeRef old)` for each edge of old vertices. It adds the edge that replaces the old one
-  /// and returns it, or returns std::nullopt if there is none; then InvalidArgument is thrown, and the
-  /// message begins with `what`.
+  /// Calls `replace(EdgeRef old)` for each edge of old vertices. `replace` must add the new edge and return
+  /// it, or return std::nullopt if no edge can replace the old one. In this case, throws InvalidArgument with
+  /// a message that begins with `what`.
   template <class Replace>
   void replace_edges(const std::string& what, Replace&& replace) {
     Graph& graph = file_.graph;

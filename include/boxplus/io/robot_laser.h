@@ -12,8 +12,8 @@
 
 namespace boxplus {
 
-/// A line ROBOTLASER1 of CARMEN's logs: a scan, and where the robot and the laser were according to the
-/// odometry. Lengths are in meters, angles in radians, speeds in meters and radians per second.
+/// A line ROBOTLASER1 of CARMEN's logs: a laser scan with the odometry poses of the robot and of the laser.
+/// Lengths are in meters, angles in radians, speeds in meters and radians per second.
 struct RobotLaser : LaserScan {
   static constexpr std::string_view kTag = "ROBOTLASER1";
 

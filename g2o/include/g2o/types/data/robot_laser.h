@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// A scan, and where the robot was according to its odometry. Tag: ROBOTLASER1. read() and write() use all
-/// fields of the rest of a line. laserParams().laserPose is the place of the laser on the robot.
+/// A laser scan with the odometry pose of the robot. Tag: ROBOTLASER1. read() and write() use all fields
+/// after the tag. laserParams().laserPose is the pose of the laser in the frame of the robot.
 class G2O_TYPES_DATA_API RobotLaser : public RawLaser {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
