@@ -13,7 +13,7 @@ namespace boxplus {
 namespace {
 
 std::string new_file() {
-  const std::string path =
+  std::string path =
       testing::TempDir() + "boxplus_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   std::ofstream(path) << "text";
   return path;
