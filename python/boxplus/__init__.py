@@ -36,9 +36,10 @@ for _size, _vector in enumerate(_VECTORS, 1):
 for _name in ("add_vertex", "add_parameter", "set_estimate", "add_edge", "set_measurement", "set_information", "add_vertices",
               "set_estimates", "add_edges"):
     setattr(_boxplus.Graph, _name, _refuses_masks(getattr(_boxplus.Graph, _name)))
-for _name in ("optimize", "covariance", "marginal_covariances", "diagnose", "find_outliers"):
+for _name in ("optimize", "covariance", "marginal_covariances", "diagnose", "find_outliers", "certify"):
     globals()[_name] = _stoppable(getattr(_boxplus, _name))
-_boxplus.Optimizer.run = _stoppable_run(_boxplus.Optimizer.run)
+for _name in ("run", "covariance", "marginal_covariances"):
+    setattr(_boxplus.Optimizer, _name, _stoppable_run(getattr(_boxplus.Optimizer, _name)))
 load = _awaited(_boxplus.load)
 
 _boxplus.Graph.__reduce_ex__ = _reduce_graph

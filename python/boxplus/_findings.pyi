@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The types of diagnose() and find_outliers(). There is no such module at run time: the names are in boxplus.
+# The types of diagnose(), find_outliers() and certify(). There is no such module at run time: the names are in boxplus.
 from __future__ import annotations
 
 from typing import Any
@@ -86,3 +86,26 @@ class OutlierReport:
     def count(self, verdict: Verdict | str) -> int: ...
     def edges(self, verdict: Verdict | str) -> list[EdgeRef]: ...
     def arrays(self) -> dict[str, numpy.ndarray[Any, numpy.dtype[Any]]]: ...
+
+class Certificate:
+    class Verdict(Enum):
+        kGlobalMinimum: Certificate.Verdict
+        kLocalMinimum: Certificate.Verdict
+        kUndecided: Certificate.Verdict
+    class Relation(Enum):
+        kEqual: Certificate.Relation
+        kBelow: Certificate.Relation
+        kSimilar: Certificate.Relation
+    verdict: Certificate.Verdict
+    relation: Certificate.Relation
+    chi2: float
+    better_chi2: float
+    chordal_cost: float
+    bound: float
+    chi2_from_chordal: float
+    steps: int
+    escapes: int
+    time_s: float
+    note: str
+    def relative_gap(self) -> float: ...
+    def chi2_bound(self) -> float: ...

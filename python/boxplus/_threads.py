@@ -74,18 +74,18 @@ def stoppable(function):
 
 
 def stoppable_run(method):
-    """Optimizer.run()"""
+    """Optimizer.run() and the covariances of an Optimizer."""
     @functools.wraps(method)
-    def run(self):
+    def run(self, *arguments, **named):
         if threading.current_thread() is threading.main_thread():
-            return method(self)
+            return method(self, *arguments, **named)
         options = self.options
         flag = options.stop or _boxplus.StopFlag()
         if options.stop is None:
             self.set_options(options, stop=flag)
         try:
             with _Run(flag):
-                return method(self)
+                return method(self, *arguments, **named)
         finally:
             if options.stop is None:
                 self.set_options(options)

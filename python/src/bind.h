@@ -26,6 +26,7 @@ void bind_bulk(GraphClass& graph);
 void bind_file(py::module_& module, GraphClass& graph);
 void bind_optimizer(py::module_& module);
 void bind_covariance(py::module_& module);
+void bind_certificate(py::module_& module);
 void bind_diagnose(py::module_& module);
 void bind_outliers(py::module_& module);
 

@@ -6,23 +6,13 @@
 #include <vector>
 
 #include "bind.h"
-#include "boxplus/optimize/covariance.h"
 #include "convert.h"
+#include "covariance_object.h"
 #include "enumerators.h"
 #include "options_object.h"
 
 namespace boxplus::python {
 namespace {
-
-/// A covariance, and its graph, so that vertices can be named by their ids.
-struct CovarianceObject {
-  Covariance covariance;
-  std::shared_ptr<GraphObject> graph;
-
-  VertexRef vertex(py::handle vertex, const char* name) const {
-    return vertex_of(graph->read(), vertex, name);
-  }
-};
 
 using Function = Covariance (*)(const Graph&, std::span<const VertexRef>, const Options&);
 

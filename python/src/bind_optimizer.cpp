@@ -4,9 +4,12 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "bind.h"
 #include "boxplus/optimize/optimizer.h"
+#include "covariance_object.h"
 #include "function_edges.h"
 #include "observer.h"
 #include "options_object.h"
@@ -63,6 +66,19 @@ class OptimizerObject {
     observer.rethrow();
     return with_costs(report, costs, run.graph());
   }
+  /// Optimizer::covariance() or marginal_covariances(). It calls no callback, and ends before Ctrl-C is
+  /// raised.
+  using Query = Covariance (Optimizer::*)(std::span<const VertexRef>) const;
+  CovarianceObject query(Query function, py::handle vertices) {
+    const std::vector<VertexRef> refs = vertices_of(graph_->read(), vertices, "vertices");
+    const OptionsObject options = options_;
+    Options native = options.options;
+    native.stop = options.stop ? &options.stop->is_set : nullptr;
+    const GraphObject::Run run(*graph_);
+    const py::gil_scoped_release release;
+    optimizer_.set_options(native);
+    return {(optimizer_.*function)(refs), graph_};
+  }
   const OptionsObject& options() const { return options_; }
   void set_options(py::handle options, const py::kwargs& changes) {
     options_ = options_with(options, changes);
@@ -89,6 +105,21 @@ void bind_optimizer(py::module_& module) {
       .def(py::init<std::shared_ptr<GraphObject>, py::handle, const py::kwargs&>(),
            py::arg("graph").none(false), py::arg("options") = py::none())
       .def("run", &OptimizerObject::run, "Optimizes; the plan is reused if the structure has not changed.")
+      .def(
+          "covariance",
+          [](OptimizerObject& self, py::handle vertices) {
+            return self.query(&Optimizer::covariance, vertices);
+          },
+          py::arg("vertices"),
+          "boxplus.covariance() at the current estimates, with the options of this optimizer. Uses its plan, "
+          "and "
+          "keeps the factor of H until H changes, so that repeated queries are fast.")
+      .def(
+          "marginal_covariances",
+          [](OptimizerObject& self, py::handle vertices) {
+            return self.query(&Optimizer::marginal_covariances, vertices);
+          },
+          py::arg("vertices"), "Likewise boxplus.marginal_covariances().")
       .def_property_readonly("options", &OptimizerObject::options, py::return_value_policy::copy)
       .def("set_options", &OptimizerObject::set_options, py::arg("options") = py::none());
 }

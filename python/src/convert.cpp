@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boxplus::python {
 namespace {
@@ -111,6 +112,12 @@ std::int64_t read_integer(py::handle value, std::string_view name) {
   const long long result = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
   if (overflow != 0) throw_value_error(name, "an int of at most 64 bits", value);
   return result;
+}
+
+int read_int(py::handle value, std::string_view name) {
+  const std::int64_t number = read_integer(value, name);
+  if (!std::in_range<int>(number)) throw_value_error(name, "an int of 32 bits", value);
+  return static_cast<int>(number);
 }
 
 std::vector<Id> read_ids(py::handle value, std::string_view name) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "boxplus/optimize/certificate.h"
 #include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/diagnose.h"
 #include "boxplus/optimize/outliers.h"
@@ -186,6 +187,20 @@ struct Enumerators<Verdict> {
   static constexpr const char* kName = "Verdict";
   static constexpr Enumerator<Verdict> kAll[] = {
       {"kInlier", kInlier}, {"kOutlier", kOutlier}, {"kUndecided", kUndecided}};
+};
+template <>
+struct Enumerators<Certificate::Verdict> {
+  using enum Certificate::Verdict;
+  static constexpr const char* kName = "Verdict";
+  static constexpr Enumerator<Certificate::Verdict> kAll[] = {
+      {"kGlobalMinimum", kGlobalMinimum}, {"kLocalMinimum", kLocalMinimum}, {"kUndecided", kUndecided}};
+};
+template <>
+struct Enumerators<Certificate::Relation> {
+  using enum Certificate::Relation;
+  static constexpr const char* kName = "Relation";
+  static constexpr Enumerator<Certificate::Relation> kAll[] = {
+      {"kEqual", kEqual}, {"kBelow", kBelow}, {"kSimilar", kSimilar}};
 };
 
 /// "levenberg-marquardt" for "kLevenbergMarquardt".

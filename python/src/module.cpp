@@ -19,6 +19,7 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_file(module, graph);
   bind_optimizer(module);
   bind_covariance(module);
+  bind_certificate(module);
   bind_diagnose(module);
   bind_outliers(module);
   module.attr("__name__") = name;

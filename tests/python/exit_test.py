@@ -39,7 +39,8 @@ print("over")
 """
 CALLS = ("boxplus.optimize(graph)", "boxplus.optimize(graph, options)", "boxplus.optimize(graph, callback=lambda record: None)",
          "optimizer.run()", "boxplus.diagnose(graph)", "boxplus.covariance(graph, [1])",
-         "boxplus.optimize(graph, stop=boxplus.StopFlag())", "boxplus.find_outliers(graph)")
+         "boxplus.optimize(graph, stop=boxplus.StopFlag())", "boxplus.find_outliers(graph)", "boxplus.certify(graph)",
+         "optimizer.covariance([1])")
 
 
 class Exits(unittest.TestCase):
