@@ -111,6 +111,7 @@ class Report:
         kNotFinite: Report.Reason
         kRejectedEdges: Report.Reason
         kWeightSpan: Report.Reason
+        kConstraints: Report.Reason
         kGaugeFreedom: Report.Reason
     class StartReport:
         requested: Start

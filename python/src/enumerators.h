@@ -126,6 +126,7 @@ struct Enumerators<Report::Reason> {
                                                         {"kNotFinite", kNotFinite},
                                                         {"kRejectedEdges", kRejectedEdges},
                                                         {"kWeightSpan", kWeightSpan},
+                                                        {"kConstraints", kConstraints},
                                                         {"kGaugeFreedom", kGaugeFreedom}};
 };
 

@@ -36,9 +36,8 @@ EdgeRef Graph::add_edge(std::uint32_t pool, std::span<const VertexRef> vertices,
     slots.push_back(vertices[i].slot);
   }
   check_distinct(vertices);
-  const std::uint32_t end = edges.slots();
   const std::uint32_t slot = add(slots);
-  note_addition(slot == end);
+  note_addition();
   const EdgeRef edge{pool, slot, edges.generation(slot)};
   if (incidence_) index_edge(edge, vertices);
   return edge;

@@ -171,13 +171,45 @@ void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
                           std::to_string(direction));
   }
   if (std::ranges::equal(sorted, fixed_directions(vertex))) return;
-  pools_.vertices[vertex.pool]->set_fixed_directions(vertex.slot, std::move(sorted));
+  pools_.vertices[vertex.pool]->fixed_directions_.set(vertex.slot, std::move(sorted));
   note_rewrite();
 }
 
 std::span<const int> Graph::fixed_directions(VertexRef vertex) const {
   check(vertex);
   return pools_.vertices[vertex.pool]->fixed_directions(vertex.slot);
+}
+
+void Graph::set_bounds(VertexRef vertex, int entry, double lower, double upper) {
+  const int dim = tangent_dim(vertex);
+  detail::VertexPool& pool = *pools_.vertices[vertex.pool];
+  const auto complain = [&](const std::string& expected) {
+    throw InvalidArgument("set_bounds(): " + expected + " (vertex " + std::to_string(id(vertex)) + ")");
+  };
+  if (entry < 0 || entry >= dim)
+    complain("expected an entry from 0 to " + std::to_string(dim - 1) + ", got " + std::to_string(entry));
+  if (pool.entry(vertex.slot, entry) == nullptr)
+    complain("expected an entry to which steps are added, but entry " + std::to_string(entry) + " of " +
+             std::string(pool.type_name()) + " is not a plain number");
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!(lower <= upper) || lower == kInfinity || upper == -kInfinity)
+    complain("expected lower ≤ upper, with a finite number between them, got " + std::to_string(lower) +
+             " and " + std::to_string(upper));
+  const std::span<const detail::Bound> old = pool.bounds(vertex.slot);
+  std::vector<detail::Bound> bounds;
+  for (const detail::Bound& bound : old) {
+    if (bound.entry != entry) bounds.push_back(bound);
+  }
+  if (lower != -kInfinity || upper != kInfinity) {
+    const auto after = [&](const detail::Bound& bound) { return bound.entry > entry; };
+    bounds.insert(std::find_if(bounds.begin(), bounds.end(), after), {entry, lower, upper});
+  }
+  pool.bounds_.set(vertex.slot, std::move(bounds));
+}
+
+std::span<const detail::Bound> Graph::bounds(VertexRef vertex) const {
+  check(vertex);
+  return pools_.vertices[vertex.pool]->bounds(vertex.slot);
 }
 
 void Graph::set_eliminated(VertexRef vertex, bool eliminated) {

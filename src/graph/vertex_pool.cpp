@@ -28,17 +28,8 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
 void VertexPool::release_slot(std::uint32_t slot) {
   free_.push_back(slot);
   flags_[slot] = 0;
-  if (slot < fixed_directions_.size()) set_fixed_directions(slot, {});
-}
-
-void VertexPool::set_fixed_directions(std::uint32_t slot, std::vector<int> directions) {
-  if (slot >= fixed_directions_.size()) {
-    if (directions.empty()) return;
-    fixed_directions_.resize(slots());
-  }
-  fixed_directions_[slot] = std::move(directions);
-  // So has_fixed_directions() is false if no vertex has any.
-  while (!fixed_directions_.empty() && fixed_directions_.back().empty()) fixed_directions_.pop_back();
+  fixed_directions_.set(slot, {});
+  bounds_.set(slot, {});
 }
 
 void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {

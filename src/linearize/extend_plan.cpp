@@ -9,10 +9,17 @@
 namespace boxplus {
 namespace {
 
-/// The elements that were appended to a graph and take part in the optimization.
+/// Whether the element in a slot was added when the pool had used the generations before `noted`, or later.
+/// Generations may wrap around.
+template <class Pool>
+bool is_later(const Pool& pool, const std::uint32_t* noted, std::uint32_t slot) {
+  return noted == nullptr || pool.generation(slot) - *noted < pool.next_generation() - *noted;
+}
+
+/// The elements that were added to a graph and take part in the optimization.
 struct Additions {
   std::vector<VertexRef> vertices;                // sorted by id
-  std::vector<std::vector<std::uint32_t>> edges;  // the new edges of each pool, ascending
+  std::vector<std::vector<std::uint32_t>> edges;  // the slots of the new edges of each pool, ascending
 };
 
 BlockOf block_of(const Graph& graph, const Plan& plan) {
@@ -27,9 +34,8 @@ BlockOf block_of(const Graph& graph, const Plan& plan) {
 /// Finds the additions, and decides whether they need a new plan.
 class Finder {
  public:
-  Finder(const Graph& graph, const PlanRequest& request, std::span<const std::uint32_t> vertices,
-         std::span<const std::uint32_t> edges, const Plan& plan)
-      : graph_(graph), request_(request), old_vertices_(vertices), old_edges_(edges), plan_(plan) {}
+  Finder(const Graph& graph, const PlanRequest& request, const PlannedElements& planned, const Plan& plan)
+      : graph_(graph), request_(request), planned_(planned), plan_(plan) {}
 
   /// `blocks` contains the blocks of the plan. Adds the blocks of the new vertices that take part. Returns
   /// false if a new plan is needed.
@@ -40,16 +46,22 @@ class Finder {
 
  private:
   bool is_new(std::uint32_t pool, std::uint32_t slot) const {
-    return pool >= old_vertices_.size() || slot >= old_vertices_[pool];
+    return !planned_.has_vertex(graph_, pool, slot);
   }
 
   bool find_edges(Additions& out) const {
     out.edges.resize(graph_.edge_pools().size());
     for (std::uint32_t p = 0; p < out.edges.size(); ++p) {
       const detail::EdgePool& pool = *graph_.edge_pools()[p];
-      for (std::uint32_t edge = p < old_edges_.size() ? old_edges_[p] : 0; edge < pool.slots(); ++edge) {
+      // Most additions are at the end. The search ends when all of them have been found.
+      std::uint32_t left =
+          p < planned_.edges.size() ? pool.next_generation() - planned_.edges[p] : pool.slots();
+      for (std::uint32_t edge = pool.slots(); left > 0 && edge-- > 0;) {
+        if (!is_later(pool, p < planned_.edges.size() ? &planned_.edges[p] : nullptr, edge)) continue;
+        --left;
         if (request_.level < 0 || pool.level(edge) == request_.level) out.edges[p].push_back(edge);
       }
+      std::reverse(out.edges[p].begin(), out.edges[p].end());
       const auto has_list = [&](const EdgeList& list) { return list.pool == p; };
       const bool known = std::any_of(plan_.edges.begin(), plan_.edges.end(), has_list);
       if (!out.edges[p].empty() && (!known || !pool.uniform_shape())) return false;
@@ -144,7 +156,7 @@ class Finder {
 
   const Graph& graph_;
   const PlanRequest& request_;
-  const std::span<const std::uint32_t> old_vertices_, old_edges_;
+  const PlannedElements& planned_;
   const Plan& plan_;
   DisjointSets sets_{0};
 };
@@ -331,6 +343,17 @@ void append_to_lists(const Additions& additions, const BlockStructure& structure
 
 }  // namespace
 
+void PlannedElements::note(const Graph& graph) {
+  vertices.clear();
+  edges.clear();
+  for (const auto& pool : graph.vertex_pools()) vertices.push_back(pool->next_generation());
+  for (const auto& pool : graph.edge_pools()) edges.push_back(pool->next_generation());
+}
+
+bool PlannedElements::has_vertex(const Graph& graph, std::uint32_t pool, std::uint32_t slot) const {
+  return pool < vertices.size() && !is_later(*graph.vertex_pools()[pool], &vertices[pool], slot);
+}
+
 bool is_extensible(const Graph& graph, const Plan& plan) {
   const bool is_held = plan.held.size() <= 1 && plan.freedoms.empty() && plan.held_scalars.empty();
   const bool is_plain = plan.loose_blocks.empty() && plan.fixed_scalars.empty();
@@ -352,11 +375,10 @@ bool is_extensible(const Graph& graph, const Plan& plan) {
 }
 
 std::optional<PlanGrowth> extend_plan(const Graph& graph, const PlanRequest& request,
-                                      std::span<const std::uint32_t> vertices,
-                                      std::span<const std::uint32_t> edges, Plan& plan) {
+                                      const PlannedElements& planned, Plan& plan) {
   Additions additions;
   BlockOf blocks = block_of(graph, plan);
-  if (!Finder(graph, request, vertices, edges, plan).find(blocks, additions)) return std::nullopt;
+  if (!Finder(graph, request, planned, plan).find(blocks, additions)) return std::nullopt;
   PlanGrowth growth;
   growth.old_blocks = plan.structure.blocks();
   growth.added = new_blocks(graph, additions, blocks, plan.structure);

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
-#include "linearize/extend_plan.h"
 #include "linearize/stiff_edge.h"
 #include "optimize/forcing_term.h"
 #include "optimize/stopwatch.h"
@@ -25,6 +24,9 @@ constexpr double kGaugeDamping = 1e-10;
 /// The lower limit of the entries of the diagonal that scales the damping, as a fraction of the largest
 /// entry. Smaller entries are rounding errors of Jacobians that are zero.
 constexpr double kDiagonalFloor = 1e-20;
+
+/// An entry of the scale is at least this fraction of the largest entry of the diagonal since configure().
+constexpr double kMemory = 1e-3;
 
 /// The request. Asks to store all columns if the solver needs an operator instead of a Schur complement.
 PlanRequest with_columns(PlanRequest request, const LinearSolver& solver, SchurMode schur) {
@@ -62,16 +64,15 @@ AnalyzeHints BatchSystem::hints() const {
 }
 
 void BatchSystem::resize_vectors() {
-  for (auto* vector : {&gradient_, &diagonal_, &right_hand_side_, &damping_})
+  for (auto* vector : {&gradient_, &diagonal_, &right_hand_side_, &damping_, &scale_, &largest_diagonal_})
     vector->resize(plan_->scalars());
   if (stores_all_columns() || !plan_->fixed_scalars.empty()) product_.resize(plan_->scalars());
 }
 
-bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
-                         std::span<const std::uint32_t> edges) {
+bool BatchSystem::extend(const PlanRequest& request, const PlannedElements& planned) {
   if (!extensible_) extensible_ = is_extensible(*graph_, *plan_);
   if (!*extensible_) return false;
-  const auto growth = extend_plan(*graph_, request, vertices, edges, *plan_);
+  const auto growth = extend_plan(*graph_, request, planned, *plan_);
   if (!growth) return false;
   order_.forget();
   precise_.forget_plan();
@@ -94,6 +95,9 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
   expected_.reset();
   linearizer_.set_stop(stop);
   timings_ = &timings;
+  std::ranges::fill(largest_diagonal_, 0);
+  bounds_.read(*graph_, *plan_);
+  bounded_step_.resize(bounds_.empty() ? 0 : plan_->scalars());
 }
 
 double BatchSystem::chi2() {
@@ -121,18 +125,23 @@ bool BatchSystem::linearize() {
   order_.linearized();
   stopped_ = linearizer_.stopped();
   is_complete_ = !stopped_;
+  if (is_complete_) bounds_.find_active(*graph_, gradient_, right_hand_side_);
   return is_complete_ && all_finite(gradient_) && all_finite(diagonal_);
 }
 
-/// Sets the gradient, the diagonal of H and the right-hand side for the blocks [first, last), whose columns
-/// begin with `values`.
+/// Sets the gradient, the diagonal of H, the scale and the right-hand side for the blocks [first, last),
+/// whose columns begin with `values`.
 void BatchSystem::collect(std::uint32_t first, std::uint32_t last, const double* values) {
   const BlockStructure& structure = plan_->structure;
   const double* gradient = linearizer_.gradient().data();
   for (std::uint32_t block = first; block < last; ++block) {
     const std::uint32_t dim = structure.dim(block), offset = structure.offset[block];
     for (std::uint32_t i = 0; i < dim; ++i) {
-      diagonal_[offset + i] = values[i * (dim + 1)];
+      const double entry = values[i * (dim + 1)];
+      double& largest = largest_diagonal_[offset + i];
+      largest = std::max(largest, entry);
+      diagonal_[offset + i] = entry;
+      scale_[offset + i] = std::max(entry, kMemory * largest);
       gradient_[offset + i] = gradient[offset + i];
       right_hand_side_[offset + i] = -gradient[offset + i];
     }
@@ -165,11 +174,11 @@ void BatchSystem::collect_kept() {
 
 /// Whether vertices can be eliminated while other edges are still being linearized. This needs columns that
 /// are final when their edges have been added, except for the rows of fixed scalars, which the solver leaves
-/// out of the Schur complement.
+/// out of the Schur complement. Active bounds are known only when all edges have been added.
 bool BatchSystem::may_eliminate_early() const {
   const std::uint32_t first_kept = plan_->structure.offset[plan_->eliminated_blocks];
   const auto is_kept = [&](std::uint32_t scalar) { return scalar >= first_kept; };
-  return solver_.slices() > 0 &&
+  return solver_.slices() > 0 && bounds_.empty() &&
          std::all_of(plan_->fixed_scalars.begin(), plan_->fixed_scalars.end(), is_kept) &&
          std::all_of(plan_->held_scalars.begin(), plan_->held_scalars.end(), is_kept) &&
          std::all_of(treatment_.lost_scalars.begin(), treatment_.lost_scalars.end(), is_kept);
@@ -262,7 +271,7 @@ double BatchSystem::gauge_fraction() const {
 /// Whether the matrix to add to H is λI.
 bool BatchSystem::is_uniform(const StepDamping& damping) const {
   const bool identity = damping.scale == Options::DampingScale::kIdentity || damping.lambda == 0;
-  return identity && gauge_fraction() == 0 && treatment_.lost_scalars.empty() &&
+  return identity && gauge_fraction() == 0 && treatment_.lost_scalars.empty() && !bounds_.holds_any() &&
          !treatment_.holds_scalars_of(*plan_, damping.lambda);
 }
 
@@ -272,15 +281,18 @@ void BatchSystem::fill_damping(const StepDamping& damping, double floor, std::ui
   const bool identity = damping.scale == Options::DampingScale::kIdentity || damping.lambda == 0;
   const double gauge = gauge_fraction();
   for (std::uint32_t i = first; i < last; ++i) {
-    const double scale = std::max(diagonal_[i], floor);
+    const double scale = std::max(scale_[i], floor);
     damping_[i] = damping.lambda * (identity ? 1 : scale) + gauge * scale;
   }
 }
 
-/// Adds the diagonal entry of H for each held scalar.
+/// Adds the diagonal entry of H for each held scalar, and much more for entries that bounds hold: these are
+/// no gauge freedom, so the others must not move because of them.
 void BatchSystem::hold_scalars(const StepDamping& damping, double floor) {
+  constexpr double kMuch = 1e8;
   treatment_.for_each_held(*plan_, damping.lambda,
                            [&](std::uint32_t i) { damping_[i] += std::max(diagonal_[i], floor); });
+  bounds_.for_each_held([&](std::uint32_t i) { damping_[i] += kMuch * std::max(diagonal_[i], floor); });
 }
 
 /// The diagonal matrix to add to H.
@@ -298,9 +310,34 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
   expect_size(step, "System::solve");
   if (!is_complete_) return {LinearStatus::kStopped};
   treatment_ = initial_;
-  const StepResult result = solve_without_gauge(damping, step);
+  const StepResult result = solve_within_bounds(damping, step);
   if (treatment_ != initial_) learned_ = treatment_;
   return result;
+}
+
+/// Solves. If entries at a limit block the step, solves again without them.
+StepResult BatchSystem::solve_within_bounds(const StepDamping& damping, std::span<double> step) {
+  constexpr int kRounds = 10;
+  bounds_.forget_blocked();
+  StepResult result = solve_without_gauge(damping, step);
+  for (int round = 0; round < kRounds && result.status == LinearStatus::kOk && bounds_.find_blocked(step);
+       ++round)
+    result = solve_without_gauge(damping, step);
+  if (result.status == LinearStatus::kOk && !bounds_.empty()) keep_within_bounds(result, step);
+  return result;
+}
+
+/// Shortens a step that leaves the bounds: either only the entries that do so, or the whole step, which
+/// always lowers the model of chi2. Takes the better of both.
+void BatchSystem::keep_within_bounds(StepResult& result, std::span<double> step) {
+  const double fraction = bounds_.longest_fraction(step);
+  if (fraction == 1) return;
+  const auto decrease = [&](std::span<const double> d) { return model_decrease(gradient_, d, curvature(d)); };
+  std::ranges::copy(step, bounded_step_.begin());
+  for (double& entry : bounded_step_) entry *= fraction;
+  bounds_.clip(step);
+  if (!(decrease(step) >= decrease(bounded_step_))) std::ranges::copy(bounded_step_, step.begin());
+  result.exact = false;
 }
 
 /// Solves, and finds out how to remove the gauge freedom.
@@ -338,6 +375,7 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
   if (is_precise_ || (is_lost && is_stiff() && affordable_precise_steps() > 0))
     result = solve_precisely(damping, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
+  bounds_.for_each_held([&](std::uint32_t i) { step[i] = 0; });
   return result;
 }
 
@@ -454,6 +492,11 @@ StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::spa
 double BatchSystem::try_step(std::span<const double> step) {
   order_.expect_linearization("System::try_step");
   expect_size(step, "System::try_step");
+  if (!bounds_.empty()) {
+    std::ranges::copy(step, bounded_step_.begin());
+    bounds_.clip(bounded_step_);
+    step = bounded_step_;
+  }
   double largest = 0;
   for (std::size_t i = 0; i < step.size(); ++i) largest = std::max(largest, diagonal_[i] * step[i] * step[i]);
   step_in_deviations_ = std::sqrt(largest);
@@ -463,6 +506,7 @@ double BatchSystem::try_step(std::span<const double> step) {
     for (const VertexList& list : plan_->vertices) {
       graph_->vertex_pools()[list.pool]->oplus(list.slots, list.offsets, step.data());
     }
+    bounds_.snap(*graph_);
     trial_ = {chi2(), max_abs(step)};
     return trial_.chi2;
   } catch (...) {

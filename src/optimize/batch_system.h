@@ -12,6 +12,8 @@
 #include "boxplus/optimize/report.h"
 #include "boxplus/optimize/system.h"
 #include "linear/schur/schur_solver.h"
+#include "linearize/extend_plan.h"
+#include "optimize/bounds.h"
 #include "optimize/call_order.h"
 #include "optimize/estimates.h"
 #include "optimize/gauge_treatment.h"
@@ -26,14 +28,12 @@ class BatchSystem final : public System {
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
               SchurMode schur);
 
-  /// Adds the elements that were appended to the graph since the plan was made. `vertices` and `edges` are
-  /// the numbers of slots that each pool had at that time. Returns false if a new plan is needed; this system
-  /// is then not usable.
-  bool extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
-              std::span<const std::uint32_t> edges);
+  /// Adds the elements that were added to the graph since the plan was made. `planned` tells which these are.
+  /// Returns false if a new plan is needed; this system is then not usable.
+  bool extend(const PlanRequest& request, const PlannedElements& planned);
 
-  /// Sets the options that may differ from run to run. From now on, times are added to `timings`, and linear
-  /// solvers stop when `stop` is raised.
+  /// Sets the options that may differ from run to run, and reads the bounds. From now on, times are added to
+  /// `timings`, and linear solvers stop when `stop` is raised.
   void configure(const Options& options, Report::Timings& timings, const StopToken& stop = {});
 
   double chi2() override;
@@ -41,6 +41,7 @@ class BatchSystem final : public System {
   bool linearize() override;
   std::span<const double> gradient() const override { return gradient_; }
   std::span<const double> diagonal() const override { return diagonal_; }
+  std::span<const double> scale() const override { return scale_; }
   double curvature(std::span<const double> d) override;
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   double try_step(std::span<const double> step) override;
@@ -70,6 +71,8 @@ class BatchSystem final : public System {
   /// step.
   void describe_step(double chi2, IterationRecord& record) const;
 
+  /// The bounds of the vertices, as configure() found them.
+  const Bounds& bounds() const { return bounds_; }
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
   const LinearSolver& linear_solver() const { return solver_; }
@@ -113,6 +116,8 @@ class BatchSystem final : public System {
   void hold_scalars(const StepDamping& damping, double floor);
   double diagonal_floor() const;
   Damping full_damping(const StepDamping& damping);
+  StepResult solve_within_bounds(const StepDamping& damping, std::span<double> step);
+  void keep_within_bounds(StepResult& result, std::span<double> step);
   StepResult solve_without_gauge(const StepDamping& damping, std::span<double> step);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
   bool is_stiff();
@@ -135,8 +140,9 @@ class BatchSystem final : public System {
   AssembledSystem assembled_;
   SchurSolver solver_;
   CallOrder order_;
-  std::vector<double> gradient_, diagonal_, right_hand_side_, damping_;
-  std::vector<double> product_;  // of curvature(), if all columns are stored
+  std::vector<double> gradient_, diagonal_, right_hand_side_, damping_, scale_;
+  std::vector<double> largest_diagonal_;  // since configure()
+  std::vector<double> product_;           // of curvature(), if all columns are stored
   std::vector<std::uint32_t> elimination_bounds_;
   std::vector<double> elimination_s_;       // per slice
   Trial trial_;                             // the last one
@@ -149,8 +155,10 @@ class BatchSystem final : public System {
   GaugeTreatment learned_;    // in this run, for the next linearization
   GaugeTreatment initial_;    // of each solve() after the last linearization
   GaugeTreatment treatment_;  // of the current solve()
-  double last_chi2_ = 0;      // of the last chi2()
-  double model_chi2_ = 0;     // at the estimates of the last linearization
+  Bounds bounds_;
+  std::vector<double> bounded_step_;  // scratch memory; empty if there are no bounds
+  double last_chi2_ = 0;              // of the last chi2()
+  double model_chi2_ = 0;             // at the estimates of the last linearization
   double step_in_deviations_ = 0;
   PreciseSolver precise_;
   bool is_precise_ = false;

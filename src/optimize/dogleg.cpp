@@ -25,11 +25,11 @@ double Dogleg::norm(const std::vector<double>& step) const {
   return std::sqrt(sum);
 }
 
-/// Sets D to diag H, with a lower limit above zero.
+/// Sets D to the scale of the system, with a lower limit above zero.
 void Dogleg::scale_from(const System& system) {
-  const auto diagonal = system.diagonal();
-  const double floor = std::max(1e-12 * max_abs(diagonal), 1e-300);
-  for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(diagonal[i], floor);
+  const auto scale = system.scale();
+  const double floor = std::max(1e-12 * max_abs(scale), 1e-300);
+  for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(scale[i], floor);
 }
 
 void Dogleg::lower_regularization() {

@@ -12,6 +12,7 @@
 #include "optimize/non_finite.h"
 #include "optimize/planned_system.h"
 #include "optimize/rejection.h"
+#include "optimize/vector_math.h"
 
 namespace boxplus {
 namespace {
@@ -51,14 +52,20 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
 
 /// Appends the vertex or the edge that caused the run to end.
 void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, BatchSystem& system,
-                 const Report::RejectionReport& rejection) {
+                 const Report& report) {
   if (reason == Report::Reason::kNotPositiveDefinite) {
     message += ": the Hessian is singular or indefinite at " + vertex_text(graph, system.failed_vertex()) +
                "; nothing measures it in some direction";
   } else if (reason == Report::Reason::kNotFinite) {
     message += ": " + describe_non_finite(graph, system);
   } else if (reason == Report::Reason::kRejectedEdges) {
-    message += ": " + rejection_text(rejection);
+    message += ": " + rejection_text(report.rejection);
+  } else if (reason == Report::Reason::kConstraints) {
+    const auto largest = [&](const Report::ConstraintResult& constraint) {
+      return max_abs(graph.error(constraint.edge));
+    };
+    const auto worst = std::ranges::max_element(report.constraints, {}, largest);
+    message += ": " + edge_text(graph, worst->edge) + " has an error of " + std::to_string(largest(*worst));
   } else if (reason == Report::Reason::kWeightSpan) {
     const auto stiff = find_stiff_edge(graph, system.plan(), system.linearize_options(), kStiffRatio);
     if (!stiff) return;
@@ -109,6 +116,8 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   if (report.robust_edges > 0 && !system.stopped())
     find_rejection(report.rejection, graph, system.plan(), system.linearizer().workers());
+  if (!system.bounds().empty() && report.scalars > 0 && !system.stopped() && system.linearize())
+    system.bounds().report(graph, system.plan(), report.active_bounds);
   if (result.status == Report::Status::kConverged && rejects_too_much(report.rejection)) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRejectedEdges;
@@ -120,7 +129,7 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   if (!system.gauge_is_free()) report.gauge.free.clear();
   report.degrees_of_freedom = degrees_of_freedom(report);
   report.message.assign(to_string(result.reason));
-  add_culprit(report.message, result.reason, graph, system, report.rejection);
+  add_culprit(report.message, result.reason, graph, system, report);
   if (std::isnan(report.chi2_initial) && is_interruption(result.reason))
     report.message += " before chi2 was evaluated";
 }

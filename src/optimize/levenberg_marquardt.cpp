@@ -42,9 +42,9 @@ void LevenbergMarquardt::raise_damping() {
 /// λ δᵀDδ of the step δ.
 double LevenbergMarquardt::damping_of_step(const System& system, double lambda) const {
   if (scale_ == Options::DampingScale::kIdentity) return lambda * dot(step_, step_);
-  const auto diagonal = system.diagonal();
+  const auto scale = system.scale();
   double sum = 0;
-  for (std::size_t i = 0; i < step_.size(); ++i) sum += diagonal[i] * step_[i] * step_[i];
+  for (std::size_t i = 0; i < step_.size(); ++i) sum += scale[i] * step_[i] * step_[i];
   return lambda * sum;
 }
 

@@ -9,6 +9,7 @@
 #include "boxplus/optimize/diagnose.h"
 #include "boxplus/optimize/outliers.h"
 #include "linearize/stiff_edge.h"
+#include "optimize/constraints.h"
 #include "optimize/covariance_system.h"
 #include "optimize/fill_report.h"
 #include "optimize/finish_stiff.h"
@@ -91,7 +92,10 @@ struct Optimizer::Impl {
   void run(Algorithm* custom, Report& report);
   RunResult plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
                               const Stopwatch& clock);
-  RunResult minimize(Algorithm& algorithm, Report& report, const StopToken& stop, const Stopwatch& clock);
+  RunResult minimize_with(Constraints& constraints, Algorithm& algorithm, Report& report,
+                          const StopToken& stop, const Stopwatch& clock);
+  RunResult minimize(Algorithm& algorithm, const Options& of_run, Report& report, const StopToken& stop,
+                     const Stopwatch& clock);
   Algorithm& chosen_algorithm();
   Covariance covariance(std::span<const VertexRef> vertices, bool joint);
   Graph& checked_graph() const;
@@ -115,8 +119,10 @@ Graph& Optimizer::Impl::checked_graph() const {
 Algorithm& Optimizer::Impl::chosen_algorithm() {
   AlgorithmKind kind = options.algorithm;
   if (kind == AlgorithmKind::kAutomatic) {
-    const bool eliminates = planned.system().plan().eliminated_blocks > 0;
-    kind = eliminates ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
+    // Points of dogleg's path may be outside of bounds.
+    const BatchSystem& system = planned.system();
+    const bool damps = system.plan().eliminated_blocks > 0 || !system.bounds().empty();
+    kind = damps ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
   }
   std::unique_ptr<Algorithm>& algorithm = algorithms[kind];
   if (!algorithm) algorithm = make_algorithm(kind);
@@ -172,19 +178,44 @@ RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, 
   report.algorithm = algorithm.name();
   describe_problem(report, *graph, planned.system(), options);
   report.chi2_initial = report.start.chi2_current = planned.system().chi2();
-  return minimize(algorithm, report, stop, clock);
+  Constraints constraints(*graph, planned.system().plan());
+  if (constraints.empty() || planned.system().stopped())
+    return minimize(algorithm, options, report, stop, clock);
+  return minimize_with(constraints, algorithm, report, stop, clock);
 }
 
-RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const StopToken& stop,
-                                    const Stopwatch& clock) {
+/// Runs until the constraints hold. Each run starts at the result of the previous one.
+RunResult Optimizer::Impl::minimize_with(Constraints& constraints, Algorithm& algorithm, Report& report,
+                                         const StopToken& stop, const Stopwatch& clock) {
+  Options of_round = options;
+  constraints.begin(report.chi2_initial);
+  for (;;) {
+    report.start.chi2_current = planned.system().chi2();
+    RunResult result = minimize(algorithm, of_round, report, stop, clock);
+    const bool ends = is_interruption(result.reason) || result.status == Report::Status::kFailed;
+    const bool goes_on = constraints.improve() && !ends;
+    if (!goes_on) {
+      constraints.report(report);
+      report.start.chi2_current = report.chi2_initial;
+      if (ends || constraints.hold()) return result;
+      return {Report::Status::kNotConverged, Report::Reason::kConstraints, result.chi2, result.iterations};
+    }
+    of_round.start = Start::kCurrent;
+    report.records.clear();
+  }
+}
+
+/// The chi2 at the current estimates must be report.start.chi2_current.
+RunResult Optimizer::Impl::minimize(Algorithm& algorithm, const Options& of_run, Report& report,
+                                    const StopToken& stop, const Stopwatch& clock) {
   BatchSystem& system = planned.system();
-  const double chi2 = report.chi2_initial;
+  const double chi2 = report.start.chi2_current;
   if (system.stopped()) return {Report::Status::kNotConverged, reason_of(stop), chi2, 0};
   if (system.plan().scalars() == 0)
     return {Report::Status::kConverged, Report::Reason::kNothingToOptimize, chi2, 0};
   if (options.gauge == GaugePolicy::kError && system.is_free())
     return {Report::Status::kFailed, Report::Reason::kGaugeFreedom, chi2, 0};
-  Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
+  Descent descent(*graph, system, algorithm, of_run, stop, clock, report.records);
   const bool may_be_stiff = information_is_stiff(*graph, system.plan());
   if (may_be_stiff) descent.leave(iterations_to_finish(options));
   RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);

@@ -55,7 +55,7 @@ bool PlannedSystem::suits(const Options& options) const {
 bool PlannedSystem::extend(Graph& graph, const StopToken& stop) {
   if (graph.last_rewrite() > revision_) return false;
   std::unique_ptr<BatchSystem> system = std::move(system_);  // dropped if this throws
-  if (!system->extend(request(stop), vertex_slots_, edge_slots_)) return false;
+  if (!system->extend(request(stop), elements_)) return false;
   system_ = std::move(system);
   note_structure(graph);
   return true;
@@ -79,10 +79,7 @@ void PlannedSystem::make(Graph& graph, const Options& options, const StopToken& 
 
 void PlannedSystem::note_structure(const Graph& graph) {
   revision_ = graph.revision();
-  vertex_slots_.clear();
-  edge_slots_.clear();
-  for (const auto& pool : graph.vertex_pools()) vertex_slots_.push_back(pool->slots());
-  for (const auto& pool : graph.edge_pools()) edge_slots_.push_back(pool->slots());
+  elements_.note(graph);
 }
 
 PlanRequest PlannedSystem::request(const StopToken& stop) const {

@@ -34,9 +34,9 @@ class PlannedSystem {
   PlanRequest request(const StopToken& stop) const;
 
   std::unique_ptr<BatchSystem> system_;
-  Options options_;                                       // the options for which the plan was made
-  std::uint64_t revision_ = 0;                            // the revision of the graph at the last update
-  std::vector<std::uint32_t> vertex_slots_, edge_slots_;  // the size of each pool at that revision
+  Options options_;             // the options for which the plan was made
+  std::uint64_t revision_ = 0;  // the revision of the graph at the last update
+  PlannedElements elements_;    // the elements of the graph at that revision
 };
 
 /// Options::threads, with 0 replaced by the number of hardware threads.

@@ -169,6 +169,24 @@ void add_verdicts(Text& text, const Report& report) {
       count(detail::Verdict::kOutlier), report.verdicts.size(), count(detail::Verdict::kUndecided));
 }
 
+/// "vertex 3, entry 0 at its upper limit 2.5 (multiplier 0.73)"
+void add_bounds(Text& text, const std::vector<Report::ActiveBound>& bounds) {
+  constexpr std::size_t kShown = 5;
+  for (std::size_t k = 0; k < std::min(bounds.size(), kShown); ++k) {
+    const Report::ActiveBound& bound = bounds[k];
+    add(text, "  {:<16}vertex {}, entry {}, is at its {} limit {:.9g} (multiplier {:.4g})\n", "bound",
+        bound.id, bound.entry, bound.is_upper ? "upper" : "lower", bound.limit, bound.multiplier);
+  }
+  if (bounds.size() > kShown) add(text, "  {:<16}… ({} active bounds in all)\n", "bound", bounds.size());
+}
+
+void add_constraints(Text& text, const Report& report) {
+  if (report.constraint_rounds == 0) return;
+  add(text, "  {:<16}{}, with errors of at most {:.2g}, after {} round{}\n", "constraints",
+      report.constraints.size(), report.constraint_violation, report.constraint_rounds,
+      report.constraint_rounds == 1 ? "" : "s");
+}
+
 void add_findings(Text& text, const Report& report) {
   constexpr std::size_t kShown = 5;
   for (std::size_t k = 0; k < std::min(report.findings.size(), kShown); ++k) {
@@ -182,6 +200,8 @@ void add_findings(Text& text, const Report& report) {
 
 void add_notes(Text& text, const Report& report) {
   add_findings(text, report);
+  add_bounds(text, report.active_bounds);
+  add_constraints(text, report);
   add_verdicts(text, report);
   add_kernels(text, report);
   add_gauge(text, report.gauge);
@@ -301,6 +321,8 @@ std::string_view to_string(Report::Reason reason) {
       return "robust kernels reject edges that the result needs";
     case Report::Reason::kWeightSpan:
       return "the weights span more digits than double precision has";
+    case Report::Reason::kConstraints:
+      return "constraints do not hold";
     case Report::Reason::kNotFinite:
       return "the problem is not finite";
     default:

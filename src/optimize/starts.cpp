@@ -233,6 +233,10 @@ class StartSearch {
       report_.note = "no guess was made, because it would change fixed directions of vertices";
       return false;
     }
+    if (!descent_.system().bounds().empty()) {
+      report_.note = "no guess was made, because it might leave the bounds of vertices";
+      return false;
+    }
     {
       const TimeAdder adder(guess_seconds_);
       const GuessLimits limits{descent_.stop(), descent_.options().max_factor_bytes,

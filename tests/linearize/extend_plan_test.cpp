@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "boxplus/linearize/linearizer.h"
@@ -17,12 +18,6 @@ constexpr auto kSighting = [](const auto& pose, const auto& point) {
 constexpr auto kNear = [](const auto& a, const auto& b) {
   return (b.translation() - a.translation()).eval();
 };
-
-std::vector<std::uint32_t> slots_of(const auto& pools) {
-  std::vector<std::uint32_t> slots;
-  for (const auto& pool : pools) slots.push_back(pool->slots());
-  return slots;
-}
 
 /// A growing chain of poses that see points, and its plan, which can be extended.
 class Growing {
@@ -62,22 +57,29 @@ class Growing {
     plan_ = make_plan(graph, request);
     note();
   }
+  /// Removes poses in the middle of the chain. Their neighbors stay connected by an edge.
+  void remove_some(std::size_t count) {
+    for (; count > 0; --count) {
+      const std::size_t k = 2 + random_() % (poses_.size() - 4);
+      graph.add_edge(Between(SE2(number(), number(), number())), poses_[k - 1], poses_[k + 1]);
+      graph.remove(poses_[k]);
+      poses_.erase(poses_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
   bool extend(const PlanRequest& request) {
-    const bool done = is_extensible(graph, plan_) && extend_plan(graph, request, vertices_, edges_, plan_);
+    const bool done = is_extensible(graph, plan_) && extend_plan(graph, request, planned_, plan_);
     if (done) note();
     return done;
   }
   const Plan& extended() const { return plan_; }
+  std::uint32_t count_poses() const { return static_cast<std::uint32_t>(poses_.size()); }
   const std::vector<VertexHandle<SE2>>& poses() const { return poses_; }
 
   Graph graph;
 
  private:
   double number() { return std::uniform_real_distribution<>(-1, 1)(random_); }
-  void note() {
-    vertices_ = slots_of(graph.vertex_pools());
-    edges_ = slots_of(graph.edge_pools());
-  }
+  void note() { planned_.note(graph); }
   void see(VertexHandle<Vector2> point) { graph.add_edge(kSighting, poses_.back(), point); }
   void add_near(VertexHandle<SE2> pose) { graph.add_edge(kNear, poses_.back(), pose); }
 
@@ -86,7 +88,7 @@ class Growing {
   std::vector<VertexHandle<SE2>> poses_;
   std::vector<VertexHandle<Vector2>> points_;
   Plan plan_;
-  std::vector<std::uint32_t> vertices_, edges_;
+  PlannedElements planned_;
 };
 
 void expect_equal(const Plan& a, const Plan& b) {
@@ -142,6 +144,55 @@ TEST(ExtendPlan, ReturnsTheSamePlanAsMakePlan) {
     }
   }
   EXPECT_GT(extended, 700) << "most of the 800 extensions must succeed";
+}
+
+/// The same lists as in a new plan, except that additions in old slots come last.
+void expect_equal_up_to_order(Plan a, Plan b) {
+  EXPECT_EQ(a.block_vertex, b.block_vertex);
+  EXPECT_EQ(a.structure, b.structure);
+  EXPECT_EQ(a.edge_count, b.edge_count);
+  ASSERT_EQ(a.edges.size(), b.edges.size());
+  for (std::size_t k = 0; k < a.edges.size(); ++k) {
+    std::ranges::sort(a.edges[k].edges);
+    EXPECT_EQ(a.edges[k].edges, b.edges[k].edges);
+  }
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  for (std::size_t k = 0; k < a.vertices.size(); ++k) {
+    std::map<std::uint32_t, std::uint32_t> of_a, of_b;
+    for (std::size_t i = 0; i < a.vertices[k].slots.size(); ++i) {
+      of_a[a.vertices[k].slots[i]] = a.vertices[k].offsets[i];
+      of_b[b.vertices[k].slots[i]] = b.vertices[k].offsets[i];
+    }
+    EXPECT_EQ(of_a, of_b);
+  }
+}
+
+TEST(ExtendPlan, AcceptsElementsInSlotsThatRemovedElementsHadLeft) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    Growing growing(seed);
+    for (int k = 0; k < 200; ++k) growing.any_addition();
+    for (int k = 0; k < 60; ++k) growing.append();
+    growing.remove_some(40);
+    const std::uint32_t slots = growing.graph.vertex_pools()[0]->slots();
+    growing.plan({});
+    for (int step = 0; step < 50; ++step) {
+      growing.append();
+      growing.any_addition();
+      ASSERT_TRUE(growing.extend({})) << step;
+      const Plan expected = make_plan(growing.graph, {});
+      expect_equal_up_to_order(growing.extended(), expected);
+      Linearizer a(growing.graph, growing.extended()), b(growing.graph, expected);
+      a.linearize({});
+      b.linearize({});
+      EXPECT_NEAR(a.chi2(), b.chi2(), 1e-12 * b.chi2());
+      ASSERT_EQ(a.values().size(), b.values().size());
+      for (std::size_t i = 0; i < a.values().size(); ++i) {
+        ASSERT_NEAR(a.values()[i], b.values()[i], 1e-11 * (1 + std::abs(b.values()[i])));
+      }
+    }
+    EXPECT_EQ(growing.graph.vertex_pools()[0]->slots(), std::max(slots, growing.count_poses()))
+        << "the slots are used again";
+  }
 }
 
 TEST(ExtendPlan, LeadsToTheSameBitsOfHForAnyNumberOfWorkers) {

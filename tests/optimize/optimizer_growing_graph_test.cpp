@@ -163,6 +163,34 @@ TEST(GrowingGraph, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+TEST(GrowingGraph, ExtendsThePlanInEveryStepAfterAHundredPosesWereRemoved) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
+  graph.fix(poses[0]);
+  const auto append = [&] {
+    poses.push_back(graph.add_vertex(SE2(static_cast<double>(poses.size()), 0, 0)));
+    graph.add_edge(Between(SE2(1, 0, 0.01)), 100.0, poses[poses.size() - 2], poses.back());
+    graph.add_edge(Between(SE2(2, 0, 0.02)), 10.0, poses[poses.size() - 3 + (poses.size() == 2)],
+                   poses.back());
+  };
+  for (int k = 0; k < 300; ++k) append();
+  for (int k = 0; k < 100; ++k) {
+    graph.remove(poses.back());
+    poses.pop_back();
+  }
+  Optimizer optimizer(graph);
+  EXPECT_TRUE(optimizer.run().converged());
+  int extended = 0;
+  for (int step = 0; step < 100; ++step) {
+    append();
+    const Report report = optimizer.run();
+    extended += report.plan_extended;
+    Graph fresh = graph;
+    EXPECT_NEAR(report.chi2_final, optimize(fresh).chi2_final, 1e-9);
+  }
+  EXPECT_EQ(extended, 100);
+}
+
 TEST(GrowingGraph, ReportsHowItsPlanWasMade) {
   World world(1, true);
   Optimizer optimizer(world.graph);

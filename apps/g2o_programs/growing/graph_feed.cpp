@@ -82,6 +82,8 @@ VertexRef GraphFeed::copy(VertexRef vertex, bool parameter) {
   target_.set_fixed(added, source_.is_fixed(vertex));
   if (const std::span<const int> held = source_.fixed_directions(vertex); !held.empty())
     target_.fix_directions(added, held);
+  for (const detail::Bound& bound : source_.bounds(vertex))
+    target_.set_bounds(added, bound.entry, bound.lower, bound.upper);
   if (source_.is_eliminated(vertex)) target_.set_eliminated(added, true);
   if (!parameter && !source_.is_fixed(vertex)) placement_.expect(added);
   return added;

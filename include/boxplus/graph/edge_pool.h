@@ -82,6 +82,10 @@ class EdgePool {
   /// measures none.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
+  /// What is added to the error of an edge that is a constraint (types/constraint.h); empty means zeros.
+  /// nullptr for other edges.
+  virtual std::vector<double>* shift(std::uint32_t /*edge*/) { return nullptr; }
+
   /// Reserves memory for a total of `edges` edges with the sizes of the existing ones. Changes nothing else.
   virtual void reserve(std::size_t edges) = 0;
 
@@ -116,6 +120,8 @@ class EdgePool {
   InformationKind informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
                                double* full) const;
   std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
+  /// The generation of the next edge, in any slot.
+  std::uint32_t next_generation() const { return next_generation_; }
 
  protected:
   /// `vertex_pools`: the pool of each argument of the error function. The last `tails` arguments are tails;
@@ -170,7 +176,7 @@ class EdgePool {
   std::vector<std::uint32_t> generations_;
   std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while no edge has a kernel
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;  // generation of the next edge, in any slot
+  std::uint32_t next_generation_ = 0;
 };
 
 }  // namespace boxplus::detail

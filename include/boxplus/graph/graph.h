@@ -91,7 +91,8 @@ class Graph {
   }
   /// Sets the estimate of a vertex. If a run-time-size estimate changes its size, the error functions of its
   /// edges must accept the new size and keep their number of rows. Otherwise, throws InvalidArgument that
-  /// names the sizes, and nothing has changed. A change of the size takes as long as a call of edges().
+  /// names the sizes, and nothing has changed. A change of the size takes as long as a call of edges(), and
+  /// releases the bounds of the vertex.
   template <detail::ManifoldType T>
   void set_estimate(VertexHandle<T> vertex, std::type_identity_t<detail::StoredEstimate<T>> estimate) {
     detail::StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
@@ -104,6 +105,7 @@ class Graph {
       std::swap(value, estimate);
       throw;
     }
+    pools_.vertices[vertex.pool]->bounds_.set(vertex.slot, {});
     note_rewrite();
   }
 
@@ -135,6 +137,19 @@ class Graph {
   /// The fixed directions in ascending order. The span is valid until the next call of fix_directions() for
   /// any vertex.
   std::span<const int> fixed_directions(VertexRef vertex) const;
+
+  /// Keeps an entry of an estimate within limits: lower ≤ entry ≤ upper. Entries are numbered as in the
+  /// tangent, from 0. Each must be a number to which ⊞ adds: any entry of a number, a vector or a camera, and
+  /// such a part of a Product. ±∞ means no limit. Equal limits hold the entry.
+  ///
+  /// optimize() first moves estimates that are outside to the nearest limit, and then finds a minimum within
+  /// the limits. Report::active_bounds names the limits at which the result is, with their multipliers. The
+  /// limits do not restrict set_estimate(). Throws InvalidArgument if the vertex has no such entry, if a
+  /// limit is NaN, or unless the limits contain a finite number.
+  void set_bounds(VertexRef vertex, int entry, double lower, double upper);
+  /// The bounds in ascending order of entries. The span is valid until the next call of set_bounds() for any
+  /// vertex.
+  std::span<const detail::Bound> bounds(VertexRef vertex) const;
 
   /// Marks a vertex to be eliminated first, by the Schur complement (such as a point in bundle adjustment).
   /// If an edge joins two eliminated vertices, optimize() throws InvalidArgument.
@@ -175,10 +190,9 @@ class Graph {
     constexpr std::size_t kTails = (0 + ... + std::size_t{detail::kIsTail<detail::VertexType<H>>});
     detail::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
     (detail::append_tail_size(tail_sizes, vertices), ...);
-    const std::uint32_t end = pool.slots();
     const int rows = count_rows(pool, error, refs, slots, tail_sizes);
     const std::uint32_t slot = pool.add(std::move(error), information, rows, slots, tail_sizes);
-    note_addition(slot == end);
+    note_addition();
     const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
     if (incidence_) index_edge(handle, refs);
     return handle;
@@ -280,9 +294,9 @@ class Graph {
   /// fixed directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the
   /// structure.
   std::uint64_t revision() const { return revision_; }
-  /// The revision of the last change of the structure that did more than append elements to the ends of their
-  /// pools. If a caller knows the structure at this revision or at a later revision r, all changes after r
-  /// are new elements, in slots that the pools did not have at r.
+  /// The revision of the last change of the structure that did more than add elements. If a caller knows the
+  /// structure at this revision or at a later revision r, all changes after r are new elements. Their
+  /// generations are those that the pools have used since r (next_generation()).
   std::uint64_t last_rewrite() const { return last_rewrite_; }
 
   /// Tells an observer whether this is still the same graph, and whether it is in use.
@@ -295,7 +309,7 @@ class Graph {
   void take_elements(Graph& other) noexcept;
 
   void note_rewrite() { last_rewrite_ = ++revision_; }
-  void note_addition(bool at_the_end) { at_the_end ? void(++revision_) : note_rewrite(); }
+  void note_addition() { ++revision_; }
   static Id claim_id(const detail::IdMap& ids, Id& next, std::optional<Id> id, const char* what);
   VertexRef lookup(const detail::IdMap& ids, Id id, const char* what) const;
   [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
@@ -350,11 +364,10 @@ class Graph {
     const std::uint32_t index = pools_.require_vertices<T>();
     auto& pool = static_cast<detail::TypedVertexPool<T>&>(*pools_.vertices[index]);
     ids.make_room();
-    const std::uint32_t end = pool.slots();
     const std::uint32_t slot = pool.add(std::move(estimate), id);
     const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
     ids.insert(id, handle);
-    note_addition(slot == end);
+    note_addition();
     return handle;
   }
 

@@ -127,6 +127,14 @@ class TypedEdgePool final : public EdgePool {
 
   const E& value(std::uint32_t edge) const { return edges_[edge]; }
 
+  std::vector<double>* shift(std::uint32_t edge) override {
+    if constexpr (requires { requires E::kIsConstraint; }) {
+      return &edges_[edge].shift;
+    } else {
+      return EdgePool::shift(edge);
+    }
+  }
+
   std::string_view type_name() const override { return detail::type_name<E>(); }
   bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
   JacobianSource jacobian_source() const override { return detail::kJacobianSource<E, V...>; }

@@ -90,6 +90,8 @@ class TypedVertexPool final : public VertexPool {
     Manifold<T>::ominus(there, values_[slot], delta);
   }
 
+  double* entry(std::uint32_t slot, int i) override { return boxplus::detail::entry(values_[slot], i); }
+
  private:
   struct Saved final : SavedEstimates {
     std::vector<T> values;

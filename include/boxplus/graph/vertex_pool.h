@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "boxplus/base/abi.h"
@@ -23,6 +25,37 @@ class SavedEstimates {
  public:
   virtual ~SavedEstimates() = default;
   virtual std::unique_ptr<SavedEstimates> clone() const = 0;
+};
+
+/// Limits of one entry of an estimate, lower ≤ entry ≤ upper (Graph::set_bounds()). The entry is numbered as
+/// in the tangent.
+struct Bound {
+  int entry = 0;
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool operator==(const Bound&) const = default;
+};
+
+/// A list per slot. Takes no memory while all lists are empty.
+template <class T>
+class SlotLists {
+ public:
+  std::span<const T> operator[](std::uint32_t slot) const {
+    if (slot >= lists_.size()) return {};
+    return lists_[slot];
+  }
+  bool empty() const { return lists_.empty(); }
+  void set(std::uint32_t slot, std::vector<T> list) {
+    if (slot >= lists_.size()) {
+      if (list.empty()) return;
+      lists_.resize(slot + std::size_t{1});
+    }
+    lists_[slot] = std::move(list);
+    while (!lists_.empty() && lists_.back().empty()) lists_.pop_back();
+  }
+
+ private:
+  std::vector<std::vector<T>> lists_;  // may be shorter than the pool; the last one is not empty
 };
 
 /// The type-erased interface of the vertices of one type. Functions that change or copy estimates take a list
@@ -56,6 +89,8 @@ class VertexPool {
   /// Computes the δ for which (estimate ⊞ δ) has the given frame, and its other parts are unchanged. δ is
   /// zero if the type is neither a pose nor a point.
   virtual void tangent_to_frame(std::uint32_t slot, const Frame& frame, double* delta) const = 0;
+  /// The number in the estimate to which ⊞ adds the i-th entry of δ, or nullptr if there is none.
+  virtual double* entry(std::uint32_t slot, int i) = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }
@@ -64,13 +99,15 @@ class VertexPool {
   bool eliminated(std::uint32_t slot) const { return (flags_[slot] & kEliminated) != 0; }
   bool parameter(std::uint32_t slot) const { return (flags_[slot] & kParameter) != 0; }
   /// The fixed directions of the vertex in its tangent space (Graph::fix_directions()), ascending.
-  std::span<const int> fixed_directions(std::uint32_t slot) const {
-    if (slot >= fixed_directions_.size()) return {};
-    return fixed_directions_[slot];
-  }
+  std::span<const int> fixed_directions(std::uint32_t slot) const { return fixed_directions_[slot]; }
   bool has_fixed_directions() const { return !fixed_directions_.empty(); }
+  /// The bounds of the vertex, ascending by entry.
+  std::span<const Bound> bounds(std::uint32_t slot) const { return bounds_[slot]; }
+  bool has_bounds() const { return !bounds_.empty(); }
   Id id(std::uint32_t slot) const { return ids_[slot]; }
   std::uint32_t generation(std::uint32_t slot) const { return generations_[slot]; }
+  /// The generation of the next vertex, in any slot.
+  std::uint32_t next_generation() const { return next_generation_; }
 
  protected:
   /// The slot that acquire_slot() will return: the slot of a removed vertex, or slots().
@@ -86,14 +123,14 @@ class VertexPool {
 
   void release_slot(std::uint32_t slot);
   void set_flag(std::uint32_t slot, Flag flag, bool on);
-  void set_fixed_directions(std::uint32_t slot, std::vector<int> directions);
 
   std::vector<Id> ids_;
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint8_t> flags_;
-  std::vector<std::vector<int>> fixed_directions_;  // empty if no vertex has any; may be shorter than ids_
+  SlotLists<int> fixed_directions_;
+  SlotLists<Bound> bounds_;
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;  // generation of the next vertex, in any slot
+  std::uint32_t next_generation_ = 0;
 };
 
 }  // namespace boxplus::detail

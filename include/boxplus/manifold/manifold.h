@@ -19,6 +19,9 @@
 // Without these three members, the edges of the vertex are differentiated numerically, and the Report says
 // so.
 //
+// To allow bounds of a vertex (Graph::set_bounds()), add `static double* entry(Pose& x, int i)`: the number
+// in x to which ⊞ adds δ[i], or nullptr if there is none.
+//
 // Laws, for all x, y and all small δ (testing/check_manifold.h checks them):
 //   (1) x ⊞ 0 = x                  (2) x ⊞ (y ⊟ x) = y
 //   (3) (x ⊞ δ) ⊟ x = δ            (4) ⊞ is smooth in δ at 0, with a Jacobian of full rank kDim there
@@ -57,6 +60,16 @@ constexpr int tangent_dim(const T& x) {
     return Manifold<T>::dim(x);
   } else {
     return Manifold<T>::kDim;
+  }
+}
+
+/// The number in x to which x ⊞ δ adds δ[i], or nullptr if there is none.
+template <ManifoldType T>
+double* entry(T& x, int i) {
+  if constexpr (requires { Manifold<T>::entry(x, i); }) {
+    return Manifold<T>::entry(x, i);
+  } else {
+    return nullptr;
   }
 }
 

@@ -77,6 +77,17 @@ struct Manifold<Product<Parts...>> {
         [](const Parts&... part) { return Rebind<T>(Manifold<Parts>::template cast<T>(part)...); }, x.parts);
   }
 
+  static double* entry(Point& x, int i) requires(detail::ManifoldType<Parts>&&...) {
+    double* result = nullptr;
+    const auto look_in = [&]<class Part>(Part& part) {
+      const int size = tangent_size(part);
+      if (i >= 0 && i < size) result = detail::entry(part, i);
+      i -= size;
+    };
+    std::apply([&](Parts&... part) { (look_in(part), ...); }, x.parts);
+    return result;
+  }
+
  private:
   /// Like tangent_dim(), but also accepts parts that are lifted to another scalar.
   template <class Part>

@@ -38,6 +38,7 @@ struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
     for (Eigen::Index i = 0; i < x.size(); ++i) y[i] = T(x[i]);
     return y;
   }
+  static S* entry(Point& x, int i) { return &x[i]; }
 };
 
 /// The real line.
@@ -59,6 +60,7 @@ requires(std::is_same_v<S, double> || detail::kIsDual<S>) struct Manifold<S> {
   static T cast(const S& x) {
     return T(x);
   }
+  static S* entry(S& x, int /*i*/) { return &x; }
 };
 
 }  // namespace boxplus

@@ -21,7 +21,7 @@ namespace boxplus {
 class LinearSolver;
 
 enum class AlgorithmKind : std::uint8_t {
-  kAutomatic,  ///< dogleg, or Levenberg-Marquardt if vertices are eliminated
+  kAutomatic,  ///< dogleg, or Levenberg-Marquardt if vertices are eliminated or have bounds
   kGaussNewton,
   kLevenbergMarquardt,
   kDogleg

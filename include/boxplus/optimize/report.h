@@ -42,6 +42,9 @@ struct [[nodiscard]] Report {
     /// An Ω is so large, at least in some direction, that other edges are lost by rounding. The estimates are
     /// not at a minimum, and no step improves them. `message` names the edge.
     kWeightSpan,
+    /// Constraints (types/constraint.h) are violated by more than rounding errors: they contradict each
+    /// other, or the iterations did not suffice. `message` names the worst one.
+    kConstraints,
     kGaugeFreedom  ///< the gauge of a component is free, and the policy is GaugePolicy::kError
   };
 
@@ -90,6 +93,25 @@ struct [[nodiscard]] Report {
     std::vector<Id> cut_off;
   };
 
+  /// An entry of an estimate that is at one of its limits (Graph::set_bounds()) at the end of the run,
+  /// although chi2 would be lower beyond the limit.
+  struct ActiveBound {
+    VertexRef vertex;
+    Id id = 0;  ///< of the vertex
+    int entry = 0;
+    bool is_upper = false;
+    double limit = 0;
+    /// The decrease of F per unit by which the limit is loosened, to first order; positive.
+    double multiplier = 0;
+  };
+
+  /// A constraint (types/constraint.h) at the end of the run. If λ are the multipliers and c is the error of
+  /// all constraints, the gradient of F + λᵀc vanishes at the result.
+  struct ConstraintResult {
+    EdgeRef edge;
+    std::vector<double> multipliers;  ///< one per row of the error
+  };
+
   /// The source of the Jacobians of one edge type.
   struct EdgeJacobians {
     std::string_view edge_type;
@@ -113,7 +135,13 @@ struct [[nodiscard]] Report {
   StartReport start;
   GaugeReport gauge;
   RejectionReport rejection;
-  std::vector<IterationRecord> records;  ///< one for each of these iterations
+  std::vector<IterationRecord> records;    ///< one for each of these iterations
+  std::vector<ActiveBound> active_bounds;  ///< in the order of the plan
+  /// The enabled active constraints. F includes their eᵀΩe, which vanish at the result. The records are those
+  /// of the last of `constraint_rounds` runs, in whose chi2 the constraints have larger weights.
+  std::vector<ConstraintResult> constraints;
+  double constraint_violation = 0;  ///< the largest |error| of these constraints
+  int constraint_rounds = 0;        ///< the number of runs; 0 if there are no constraints
   /// If Options::outliers is set: a verdict for each suspect, in the order of Graph::all_edges(), and one
   /// sentence about a limitation of the search, or empty. All other facts are about the final run, in which
   /// only the accepted edges take part.

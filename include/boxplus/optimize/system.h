@@ -50,8 +50,12 @@ class System {
   /// After a stopped try_step(), call reject().
   virtual bool stopped() const { return false; }
   virtual std::span<const double> gradient() const = 0;
-  /// The diagonal of H, which scales trust regions and damping.
   virtual std::span<const double> diagonal() const = 0;
+  /// The D of solve(), which also scales trust regions. It is the diagonal of H, except for entries that have
+  /// become much smaller during the run. If these were scaled by the diagonal, the steps of others would
+  /// become as short as theirs are long (Moré, "The Levenberg-Marquardt algorithm: implementation and
+  /// theory", 1978).
+  virtual std::span<const double> scale() const { return diagonal(); }
   /// Returns dᵀHd, or NaN if it is stopped.
   virtual double curvature(std::span<const double> d) = 0;
   /// Solves (H + λD) step = −g. `step` has as many entries as the gradient.

@@ -28,6 +28,7 @@ constexpr std::array kMembers = {NamedMember{"tag", JsonElement::kTag},
                                  NamedMember{"enabled", JsonElement::kEnabled},
                                  NamedMember{"fixed", JsonElement::kFixed},
                                  NamedMember{"fixed_directions", JsonElement::kFixedDirections},
+                                 NamedMember{"bounds", JsonElement::kBounds},
                                  NamedMember{"eliminated", JsonElement::kEliminated}};
 
 /// The names of the members in a set: "tag, id".
@@ -106,7 +107,7 @@ void JsonFields::read_id(JsonScanner& in, std::string_view what) {
 }
 
 void JsonElement::read_vertex(JsonScanner& in) {
-  read(in, {kTag | kId | kFields, kFixed | kFixedDirections | kEliminated});
+  read(in, {kTag | kId | kFields, kFixed | kFixedDirections | kBounds | kEliminated});
 }
 
 void JsonElement::read_edge(JsonScanner& in) {
@@ -165,6 +166,8 @@ void JsonElement::read_member(JsonScanner& in, Member member) {
       return;
     case kFixedDirections:
       return read_fixed_directions(in);
+    case kBounds:
+      return read_bounds(in);
     case kEliminated:
       eliminated = in.boolean("whether the vertex is eliminated");
       return;
@@ -194,6 +197,33 @@ void JsonElement::read_fixed_directions(JsonScanner& in) {
   fixed_directions_at = in.at();
   fixed_directions.clear();
   in.array("a list of directions ([)", [&] { fixed_directions.push_back(read_int(in, "a direction")); });
+}
+
+void JsonElement::read_bounds(JsonScanner& in) {
+  in.next();
+  bounds_at = in.at();
+  bounds.clear();
+  in.array("a list of bounds ([)", [&] {
+    in.next();
+    const char* const begin = in.at();
+    detail::Bound bound;
+    bool has_entry = false, has_lower = false, has_upper = false;
+    in.object("a bound ({)", [&](std::string_view name, const char* name_at) {
+      bool* const given_before = name == "entry"   ? &has_entry
+                                 : name == "lower" ? &has_lower
+                                 : name == "upper" ? &has_upper
+                                                   : nullptr;
+      if (given_before == nullptr)
+        refuse_meaning(name_at, fmt::format("one of the members entry, lower, upper, got {}", quoted(name)));
+      if (*given_before) refuse_meaning(name_at, fmt::format("the member {} only once", quoted(name)));
+      *given_before = true;
+      if (name == "entry") return void(bound.entry = read_int(in, "an entry"));
+      (name == "lower" ? bound.lower : bound.upper) = in.number("a limit").value;
+    });
+    if (!has_entry || (!has_lower && !has_upper))
+      refuse_meaning(begin, "a bound with entry, and with lower, upper or both");
+    bounds.push_back(bound);
+  });
 }
 
 }  // namespace boxplus

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "boxplus/graph/vertex_pool.h"
 #include "io/json/json_scanner.h"
 
 namespace boxplus {
@@ -39,7 +40,8 @@ struct JsonElement {
     kFixed = 1u << 8,
     kFixedDirections = 1u << 9,
     kEliminated = 1u << 10,
-    kRest = 1u << 11
+    kRest = 1u << 11,
+    kBounds = 1u << 12
   };
   struct Kernel {
     std::string name;
@@ -56,6 +58,8 @@ struct JsonElement {
   bool enabled = true, fixed = false, eliminated = false;
   std::vector<int> fixed_directions;
   const char* fixed_directions_at = nullptr;
+  std::vector<detail::Bound> bounds;
+  const char* bounds_at = nullptr;
 
   /// Throws JsonError. Afterwards, the element is incomplete.
   void read_vertex(JsonScanner& in);
@@ -67,6 +71,7 @@ struct JsonElement {
   void read_member(JsonScanner& in, Member member);
   void read_kernel(JsonScanner& in);
   void read_fixed_directions(JsonScanner& in);
+  void read_bounds(JsonScanner& in);
 
   std::string tag_memory_;
 };

@@ -134,17 +134,22 @@ void JsonElementAdder::add_vertex(const JsonElement& element, bool is_parameter)
   Id id = 0;
   with_fields(element, tag, [&](FieldReader& in) { id = elements_.read_vertex(tag, in); });
   constexpr unsigned kAttributes =
-      JsonElement::kFixed | JsonElement::kFixedDirections | JsonElement::kEliminated;
+      JsonElement::kFixed | JsonElement::kFixedDirections | JsonElement::kBounds | JsonElement::kEliminated;
   if ((element.given & kAttributes) == 0) return;
   const VertexRef vertex = is_parameter ? *graph_.find_parameter(id) : *graph_.find_vertex(id);
   if ((element.given & JsonElement::kFixed) != 0) graph_.set_fixed(vertex, element.fixed);
   if ((element.given & JsonElement::kEliminated) != 0) graph_.set_eliminated(vertex, element.eliminated);
-  if ((element.given & JsonElement::kFixedDirections) == 0) return;
+  const char* at = element.fixed_directions_at;
   try {
-    graph_.fix_directions(vertex, element.fixed_directions);
+    if ((element.given & JsonElement::kFixedDirections) != 0)
+      graph_.fix_directions(vertex, element.fixed_directions);
+    if ((element.given & JsonElement::kBounds) == 0) return;
+    at = element.bounds_at;
+    for (const detail::Bound& bound : element.bounds)
+      graph_.set_bounds(vertex, bound.entry, bound.lower, bound.upper);
   } catch (const InvalidArgument& error) {
     graph_.remove(vertex);
-    throw JsonError(element.fixed_directions_at, error.what(), JsonError::Kind::kMeaning);
+    throw JsonError(at, error.what(), JsonError::Kind::kMeaning);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <typeinfo>
 
@@ -116,8 +117,22 @@ class JsonWriter {
       out += graph_.is_fixed(vertex) ? ", \"fixed\": true" : ", \"fixed\": false";
     if (const auto directions = graph_.fixed_directions(vertex); !directions.empty())
       fmt::format_to(std::back_inserter(out), ", \"fixed_directions\": [{}]", fmt::join(directions, ", "));
+    append(graph_.bounds(vertex), out);
     if (graph_.is_eliminated(vertex)) out += ", \"eliminated\": true";
     out += '}';
+  }
+
+  static void append(std::span<const detail::Bound> bounds, std::string& out) {
+    if (bounds.empty()) return;
+    std::string_view separator = ", \"bounds\": [";
+    for (const detail::Bound& bound : bounds) {
+      fmt::format_to(std::back_inserter(out), "{}{{\"entry\": {}", separator, bound.entry);
+      if (std::isfinite(bound.lower)) fmt::format_to(std::back_inserter(out), ", \"lower\": {}", bound.lower);
+      if (std::isfinite(bound.upper)) fmt::format_to(std::back_inserter(out), ", \"upper\": {}", bound.upper);
+      out += '}';
+      separator = ", ";
+    }
+    out += ']';
   }
 
   void append(EdgeRef edge, std::string& out) const {

@@ -138,7 +138,14 @@ TEST(JsonReader, NamesThePlaceOfEachError) {
               StartsWith("g:2:83: "));
   EXPECT_THAT(vertex(R"("tag": "VERTEX_XY", "id": 1, "fields": [1, 2], "level": 1)"),
               HasSubstr("g:2:63: expected one of the members tag, id, fields, fixed, fixed_directions, "
-                        "eliminated, got 'level'"));
+                        "bounds, eliminated, got 'level'"));
+  EXPECT_EQ(vertex(R"("tag": "VERTEX_XY", "id": 1, "fields": [1, 2], "bounds": [{"entry": 0}])"),
+            "g:2:74: expected a bound with entry, and with lower, upper or both");
+  EXPECT_EQ(vertex(R"("tag": "VERTEX_XY", "id": 1, "fields": [1, 2], "bounds": [{"entry": 0, "most": 1}])"),
+            "g:2:87: expected one of the members entry, lower, upper, got 'most'");
+  EXPECT_THAT(
+      vertex(R"("tag": "VERTEX_XY", "id": 1, "fields": [1, 2], "bounds": [{"entry": 2, "lower": 1}])"),
+      HasSubstr("g:2:73: set_bounds(): expected an entry from 0 to 1, got 2"));
   EXPECT_EQ(vertex(R"("tag": "VERTEX_XY", "id": 1, "fields": [1, 2], "id": 2)"),
             "g:2:63: expected the member 'id' only once");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 
 #include "boxplus/boxplus.h"
 #include "boxplus/robust/barron.h"
@@ -89,6 +90,8 @@ TEST(JsonRoundTrip, KeepsTheAttributesOfVertices) {
   graph.fix(a);
   graph.fix_directions(a, {5});
   graph.fix_directions(b, {2, 3, 4});
+  graph.set_bounds(p, 2, -0.1, std::numeric_limits<double>::infinity());
+  graph.set_bounds(p, 0, 1e-17, 1.5);
   graph.set_eliminated(p, true);
   const GraphFile again = round_trip(file);
   const auto vertex = [&](Id id) { return *again.graph.find_vertex(id); };
@@ -102,6 +105,7 @@ TEST(JsonRoundTrip, KeepsTheAttributesOfVertices) {
   EXPECT_THAT(again.graph.fixed_directions(vertex(7)), ElementsAre(2, 3, 4));
   EXPECT_FALSE(again.graph.is_eliminated(vertex(7)));
   EXPECT_TRUE(again.graph.is_eliminated(vertex(8)));
+  EXPECT_TRUE(std::ranges::equal(again.graph.bounds(vertex(8)), graph.bounds(p)));
 }
 
 TEST(JsonRoundTrip, KeepsTheAttributesOfEdges) {

@@ -132,6 +132,7 @@ struct Manifold<BasicCamera<Model, S>> {
   static Rebind<T> cast(const BasicCamera<Model, S>& x) {
     return Rebind<T>(x.parameters.template cast<T>());
   }
+  static S* entry(BasicCamera<Model, S>& x, int i) { return &x.parameters[i]; }
 };
 
 }  // namespace boxplus
