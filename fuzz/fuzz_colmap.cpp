@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A fuzz target that checks properties of the reader and writer of COLMAP models, for arbitrary files. An
-// input is the three files cameras, images and points3D, with the line "====" between them. Files that begin
-// with # are text.
+// input is the files cameras, images and points3D, and then rigs and frames if they are not empty, with the
+// line "====" between them. Files that begin with # are text.
 //
 //   - The reader either returns a graph or throws an InputError.
 //   - If a model is written as binary and read again, and written as text, the text is the same as that of
@@ -25,9 +25,10 @@
 namespace boxplus {
 namespace {
 
-constexpr std::array<const char*, 3> kNames{"cameras", "images", "points3D"};
+constexpr std::array<const char*, 5> kNames{"cameras", "images", "points3D", "rigs", "frames"};
+constexpr std::size_t kNeeded = 3;  // the other files can be missing
 
-using Files = std::array<std::string, 3>;
+using Files = std::array<std::string, 5>;
 
 Files split(std::string_view input) {
   constexpr std::string_view kSeparator = "====\n";
@@ -75,8 +76,15 @@ std::string path_of(const std::string& folder, std::size_t file, bool is_text) {
   return folder + "/" + kNames[file] + (is_text ? ".txt" : ".bin");
 }
 
+/// The same folder without files.
+std::string empty_folder(const char* name) {
+  std::string place = folder(name);
+  for (const auto& file : std::filesystem::directory_iterator(place)) std::filesystem::remove(file);
+  return place;
+}
+
 Files written_texts(const GraphFile& file) {
-  const std::string place = folder("written_text");
+  const std::string place = empty_folder("written_text");
   write_graph(place, file, {.format = "COLMAP-text"});
   Files files;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -88,9 +96,11 @@ Files written_texts(const GraphFile& file) {
 
 std::optional<GraphFile> read(const Files& files) {
   const bool is_text = files[0].starts_with('#');
-  const std::string place = folder(is_text ? "text" : "binary");
-  for (std::size_t i = 0; i < files.size(); ++i)
-    std::ofstream(path_of(place, i, is_text), std::ios::binary) << files[i];
+  const std::string place = empty_folder(is_text ? "text" : "binary");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (i < kNeeded || !files[i].empty())
+      std::ofstream(path_of(place, i, is_text), std::ios::binary) << files[i];
+  }
   try {
     return read_graph(place);
   } catch (const InputError&) {
@@ -109,7 +119,7 @@ void check(std::string_view input) {
   } catch (const InvalidArgument&) {
     return;  // a text cannot have some names of images
   }
-  const std::string place = folder("written_binary");
+  const std::string place = empty_folder("written_binary");
   write_graph(place, *file, {.format = "COLMAP"});
   const Files again = written_texts(read_graph(place));
   if (texts == again) return;

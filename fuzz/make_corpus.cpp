@@ -3,6 +3,7 @@
 // FOLDER.dict. The seeds are small graphs in the given format.
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -64,15 +65,34 @@ std::string bal() {
 /// Returns the files of a model, as fuzz_colmap.cpp expects them. `extension` is that of the files.
 std::string joined_files(const std::string& folder, const std::string& extension) {
   std::string text;
-  for (const char* name : {"cameras", "images", "points3D"}) {
+  for (const char* name : {"cameras", "images", "points3D", "rigs", "frames"}) {
+    const std::filesystem::path path = (std::filesystem::path(folder) / name).string() + extension;
+    if (!std::filesystem::exists(path)) break;
     std::string memory;
     if (!text.empty()) text += "====\n";
-    text += TextSource::of_file((std::filesystem::path(folder) / name).string() + extension).text(memory);
+    text += TextSource::of_file(path.string()).text(memory);
   }
   return text;
 }
 
-/// A model with two images of one camera as text and binary, and one with a camera of each image.
+/// A model of two cameras and an IMU on a rig, whose files are in the folder for a moment.
+GraphFile rig(const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const char* text) {
+    std::ofstream(std::filesystem::path(folder) / name) << text;
+  };
+  write("cameras.txt", "1 PINHOLE 9 9 5 5 3 3\n2 PINHOLE 9 9 5 5 3 3\n");
+  write("images.txt", "1 1 0 0 0 0 0 2 1 a\n2 2 1\n2 1 0 0 0 3 0 2 2 b\n1 2 1\n");
+  write("points3D.txt", "1 0 0 5 0 0 0 -1 1 0 2 0\n");
+  write("rigs.txt", "1 3 CAMERA 1 CAMERA 2 1 1 0 0 0 3 0 0 IMU 1 0\n");
+  write("frames.txt", "1 1 1 0 0 0 0 0 2 3 CAMERA 1 1 CAMERA 2 2 IMU 1 7\n");
+  GraphFile file = read_graph(folder);
+  std::filesystem::remove_all(folder);
+  return file;
+}
+
+/// A model with two images of one camera as text and binary, one with a camera of each image, and one with a
+/// rig.
 std::vector<std::string> colmap() {
   GraphFile file;
   Graph& graph = file.graph;
@@ -86,7 +106,8 @@ std::vector<std::string> colmap() {
   }
   std::vector<std::string> seeds;
   const std::string folder = (std::filesystem::temp_directory_path() / "boxplus_make_corpus").string();
-  for (const GraphFile& each : {file, parse_graph(bal(), "bal")}) {
+  std::filesystem::remove_all(folder);
+  for (const GraphFile& each : {file, parse_graph(bal(), "bal"), rig(folder)}) {
     for (const auto& [format, extension] : {std::pair{"COLMAP-text", ".txt"}, {"COLMAP", ".bin"}}) {
       std::filesystem::remove_all(folder);
       write_graph(folder, each, {.format = format});

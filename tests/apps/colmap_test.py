@@ -61,6 +61,40 @@ class ColmapTest(CommandCase):
             self.assertEqual(point[4:7], ["10", "20", "30"])
             self.assertLess(float(point[7]), 1e-3)
 
+    def test_the_cameras_of_a_rig_move_together(self):
+        offset = 0.3  # camera 5 is right of camera 4
+        images, frames = [], []
+        for i, (cx, cy) in enumerate(CENTERS):
+            start = -cx + 0.02 * i
+            pose = f"1 0.001 0 0 {start!r} {-cy + 0.05} 0"
+            frames.append(f"{i + 1} 1 {pose} 2 CAMERA 4 {2 * i + 1} CAMERA 5 {2 * i + 2}")
+            for k, shift in enumerate((0, offset)):
+                images.append(f"{2 * i + 1 + k} 1 0.001 0 0 {start - shift!r} {-cy + 0.05} 0 {4 + k} {i}/{k}.jpg")
+                images.append(" ".join(f"{500 * (x - cx - shift) / z + 320!r} {500 * (y - cy) / z + 240!r} {j + 1}"
+                                       for j, (x, y, z) in enumerate(POINTS)))
+        texts = {"cameras.txt": "4 SIMPLE_RADIAL 640 480 480 320 240 0\n5 SIMPLE_PINHOLE 640 480 490 320 240\n",
+                 "images.txt": "\n".join(images) + "\n", "frames.txt": "\n".join(frames) + "\n",
+                 "points3D.txt": "".join(f"{j + 1} {x} {y} {z + 0.1} 10 20 30 -1 " +
+                                         " ".join(f"{k} {j}" for k in range(1, 2 * len(CENTERS) + 1)) + "\n"
+                                         for j, (x, y, z) in enumerate(POINTS)),
+                 "rigs.txt": f"1 2 CAMERA 4 CAMERA 5 1 1 0 0 0 {-offset} 0 0\n"}
+        for name, text in texts.items():
+            (self.folder / name).write_text(text, encoding="utf-8")
+        out = self.path / "out"
+        done = run("optimize", self.folder, "-o", out, "--json", self.path / "report.json", "--free", "poses")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertLess(json.loads((self.path / "report.json").read_text(encoding="utf-8"))["chi2_final"], 1e-6)
+        self.assertEqual(self.lines(out, "rigs.txt"), self.lines(self.folder, "rigs.txt"))
+        moved = {line[0]: [float(x) for x in line[1:8]] for line in self.lines(out, "images.txt")[::2]}
+        for frame in self.lines(out, "frames.txt"):
+            pose = [float(x) for x in frame[2:9]]
+            self.assertEqual(moved[frame[12]], pose)
+            for value, other, shift in zip(pose, moved[frame[15]], [0] * 4 + [-offset, 0, 0], strict=True):
+                self.assertAlmostEqual(value + shift, other, 12)
+        self.assertEqual(run("info", out).returncode, 0)
+        (out / "frames.txt").write_text(texts["frames.txt"], encoding="utf-8")
+        self.assert_refused(run("info", out), "frames.txt:2:41: expected frame 2 where image 3 is, got a pose that differs")
+
     def test_parts_are_held_and_freed_for_one_run(self):
         out = self.path / "out"
         for words, kept in ((["--hold", "intrinsics"], {4, 5, 6, 7}), (["--hold", "focal-lengths"], {4, 5, 6}),

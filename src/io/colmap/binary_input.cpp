@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "boxplus/io/sparse_model.h"
 #include "io/colmap/model_input.h"
 
 namespace boxplus {
@@ -63,6 +62,14 @@ class BinaryInput : public ModelInput {
     return *type;
   }
 
+  SparseModel::SensorType sensor_type() override {
+    const std::uint64_t type = integer("the type of a sensor", 4);
+    if (type >= kSensorTypes.size())
+      fail(place(), fmt::format("expected the type of a sensor (0 for a camera, 1 for an IMU), got {}",
+                                static_cast<std::int32_t>(type)));
+    return static_cast<SparseModel::SensorType>(type);
+  }
+
   std::string image_name() override {
     set_place(here());
     const std::size_t end = bytes_.find('\0', at_);
@@ -91,7 +98,9 @@ class BinaryInput : public ModelInput {
   const Names& names() const {
     static constexpr Names kNames[] = {{"cameras", 48, "parameters", 8},
                                        {"images", 73, "2-D points of the image", 24},
-                                       {"points", 51, "observations of the point", 8}};
+                                       {"points", 51, "observations of the point", 8},
+                                       {"rigs", 8, "", 1},
+                                       {"frames", 68, "", 1}};
     return kNames[static_cast<std::size_t>(file_)];
   }
 

@@ -24,6 +24,12 @@ EdgeRef observe(Graph& graph, const Vector2& pixel, VertexHandle<SE3> pose, Vert
 }
 
 template <class Camera>
+EdgeRef observe_on_rig(Graph& graph, const Vector2& pixel, VertexHandle<SE3> pose,
+                       VertexHandle<Vector3> point, VertexHandle<SE3> offset, VertexRef camera) {
+  return graph.add_edge(Reprojection<Camera>(pixel), pose, point, offset, graph.typed<Camera>(camera));
+}
+
+template <class Camera>
 bool is_pool(const detail::VertexPool& pool) {
   return dynamic_cast<const detail::TypedVertexPool<Camera>*>(&pool) != nullptr;
 }
@@ -34,11 +40,17 @@ std::span<const double> values(const Graph& graph, VertexRef camera) {
   return {value.parameters.data(), std::size_t{Camera::kSize}};
 }
 
+template <class Camera, class... Vertex>
+const Vector2* pixel_in(const detail::EdgePool& edges, EdgeRef edge) {
+  const auto* pool = dynamic_cast<const detail::TypedEdgePool<Reprojection<Camera>, Vertex...>*>(&edges);
+  return pool ? &pool->value(edge.slot).measurement : nullptr;
+}
+
 template <class Camera>
 const Vector2* pixel(const Graph& graph, EdgeRef edge) {
-  using Pool = detail::TypedEdgePool<Reprojection<Camera>, SE3, Vector3, Camera>;
-  const auto* pool = dynamic_cast<const Pool*>(graph.edge_pools()[edge.pool].get());
-  return pool ? &pool->value(edge.slot).measurement : nullptr;
+  const detail::EdgePool& edges = *graph.edge_pools()[edge.pool];
+  const Vector2* const found = pixel_in<Camera, SE3, Vector3, Camera>(edges, edge);
+  return found ? found : pixel_in<Camera, SE3, Vector3, SE3, Camera>(edges, edge);
 }
 
 template <class Camera>
@@ -48,9 +60,12 @@ Vector2 project(const double* parameters, const Vector3& point) {
 
 template <class Camera>
 constexpr CameraType type_of() {
-  return {Camera::kName,      Camera::Model::kColmapId, Camera::kSize,   Camera::Model::kFocalLengths,
-          add_camera<Camera>, observe<Camera>,          is_pool<Camera>, values<Camera>,
-          pixel<Camera>,      project<Camera>};
+  return {Camera::kName,          Camera::Model::kColmapId,
+          Camera::kSize,          Camera::Model::kFocalLengths,
+          add_camera<Camera>,     observe<Camera>,
+          observe_on_rig<Camera>, is_pool<Camera>,
+          values<Camera>,         pixel<Camera>,
+          project<Camera>};
 }
 
 template <class Camera>

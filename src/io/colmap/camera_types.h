@@ -22,10 +22,13 @@ struct CameraType {
   VertexRef (*add)(Graph& graph, Id id, const double* parameters);
   EdgeRef (*observe)(Graph& graph, const Vector2& pixel, VertexHandle<SE3> pose, VertexHandle<Vector3> point,
                      VertexRef camera);
+  /// The same for a camera at `offset` (T_rig_camera) on a rig at `pose`.
+  EdgeRef (*observe_on_rig)(Graph& graph, const Vector2& pixel, VertexHandle<SE3> pose,
+                            VertexHandle<Vector3> point, VertexHandle<SE3> offset, VertexRef camera);
   bool (*is_pool)(const detail::VertexPool& pool);
   std::span<const double> (*values)(const Graph& graph, VertexRef camera);
-  /// The measurement of a reprojection error of (pose, point, camera); nullptr if the edge is of another
-  /// type.
+  /// The measurement of a reprojection error of (pose, point, camera) or (pose, point, offset, camera);
+  /// nullptr if the edge is of another type.
   const Vector2* (*pixel)(const Graph& graph, EdgeRef edge);
   /// The pixel of a point in the frame of the camera.
   Vector2 (*project)(const double* parameters, const Vector3& point);

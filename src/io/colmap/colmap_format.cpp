@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/write_file.h"
+#include "io/colmap/frame_reader.h"
 #include "io/colmap/graph_model.h"
 #include "io/colmap/model_output.h"
 #include "io/colmap/model_reader.h"
@@ -20,7 +22,15 @@ namespace {
 
 constexpr std::array<const char*, 3> kNames{"cameras", "images", "points3D"};
 /// Files of COLMAP 3.12 and later, which describe images that were taken together.
-constexpr std::array<const char*, 2> kRigNames{"rigs", "frames"};
+constexpr std::array<const char*, 2> kFrameNames{"rigs", "frames"};
+/// By ModelFile.
+constexpr std::array<const char*, 5> kAllNames{kNames[0], kNames[1], kNames[2], kFrameNames[0],
+                                               kFrameNames[1]};
+
+/// The names of the files of a model.
+std::span<const char* const> names_of(const SparseModel& model) {
+  return std::span(kAllNames).first(model.has_frames ? kAllNames.size() : kNames.size());
+}
 
 std::string path_of(const std::string& folder, std::string_view name, bool is_text) {
   return (std::filesystem::path(folder) / name).string() + (is_text ? ".txt" : ".bin");
@@ -37,36 +47,35 @@ std::vector<std::string> existing_files(const std::string& folder, const Names& 
   return files;
 }
 
-std::vector<std::string> rig_files(const std::string& folder) {
-  std::vector<std::string> files = existing_files(folder, kRigNames, false);
-  for (std::string& file : existing_files(folder, kRigNames, true)) files.push_back(std::move(file));
-  return files;
-}
-
 std::unique_ptr<ModelInput> open(const std::string& folder, ModelFile file, bool is_text) {
-  TextSource source = TextSource::of_file(path_of(folder, kNames[static_cast<std::size_t>(file)], is_text));
+  TextSource source =
+      TextSource::of_file(path_of(folder, kAllNames[static_cast<std::size_t>(file)], is_text));
   return is_text ? text_input(std::move(source)) : binary_input(std::move(source), file);
 }
 
 GraphFile read(const std::string& folder, bool is_text) {
-  std::unique_ptr<ModelInput> cameras, images, points;
+  std::unique_ptr<ModelInput> cameras, images, points, rigs, frames;
   open_together(folder, [&] {
     cameras = open(folder, ModelFile::kCameras, is_text);
     images = open(folder, ModelFile::kImages, is_text);
     points = open(folder, ModelFile::kPoints, is_text);
+    if (existing_files(folder, kFrameNames, is_text).empty()) return;
+    rigs = open(folder, ModelFile::kRigs, is_text);
+    frames = open(folder, ModelFile::kFrames, is_text);
   });
-  GraphFile file = graph_of(read_model(*cameras, *images, *points));
+  SparseModel model = read_model(*cameras, *images, *points);
+  if (frames) read_frames(*rigs, *frames, model);
+  GraphFile file = graph_of(std::move(model));
   for (std::string& text : unusual_parts(*file.model)) file.notes.push_back({0, std::move(text)});
-  if (!rig_files(folder).empty())
-    file.notes.push_back({0, "rigs and frames are ignored: each image moves on its own"});
   return file;
 }
 
-/// Refuses a folder with files that COLMAP would read instead of the written ones.
-void check_folder(const std::string& folder, bool is_text) {
-  std::vector<std::string> others = rig_files(folder);
-  if (is_text) {
-    for (std::string& file : existing_files(folder, kNames, false)) others.push_back(std::move(file));
+/// Refuses a folder with files that COLMAP would read instead of the written ones, or together with them.
+void check_folder(const SparseModel& model, const std::string& folder, bool is_text) {
+  std::vector<std::string> others;
+  if (is_text) others = existing_files(folder, kAllNames, false);
+  if (!model.has_frames) {
+    for (std::string& file : existing_files(folder, kFrameNames, is_text)) others.push_back(std::move(file));
   }
   if (others.empty()) return;
   throw FileError(
@@ -86,11 +95,11 @@ std::string existing_folder(const std::string& folder) {
 
 void check(const SparseModel& model, const std::string& folder, bool is_text) {
   require_names(model, is_text);
-  check_folder(folder, is_text);
+  check_folder(model, folder, is_text);
   std::error_code none;
   if (!std::filesystem::exists(folder, none))
     return require_writable(path_of(existing_folder(folder), kNames.front(), is_text));
-  for (const char* name : kNames) {
+  for (const char* name : names_of(model)) {
     const std::string path = path_of(folder, name, is_text);
     require_regular(path);
     require_writable(path);
@@ -103,10 +112,11 @@ void write(const GraphFileView& file, const std::string& folder, bool is_text) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(fmt::format("{}: cannot be created: {}", folder, error.message()));
-  constexpr std::array kWriters{write_cameras, write_images, write_points};
+  constexpr std::array kWriters{write_cameras, write_images, write_points, write_rigs, write_frames};
+  const std::span<const char* const> names = names_of(model);
   std::vector<NewFile> files;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    files.push_back({path_of(folder, kNames[i], is_text), [&, i](TextSink sink) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    files.push_back({path_of(folder, names[i], is_text), [&, i](TextSink sink) {
                        kWriters[i](model, is_text ? *text_output(sink) : *binary_output(sink));
                      }});
   }

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
 #include "boxplus/io/graph_file.h"
 #include "io/bal/bal_axes.h"
 #include "io/colmap/graph_roles.h"
+#include "io/colmap/model_frames.h"
 #include "io/colmap/model_reader.h"
+#include "io/colmap/pose_places.h"
 #include "io/edges_to_write.h"
 #include "io/moderate_pose.h"
 #include "io/reprojection_losses.h"
@@ -30,11 +33,9 @@ using Role = GraphRoles::Role;
 constexpr std::size_t kNone = ~std::size_t{0};
 
 void set_pose(Image& image, const SE3& T_world_camera) {
-  const SE3 T_camera_world = T_world_camera.inverse();
-  const detail::Quaternion<double> q = T_camera_world.quaternion();
-  const Vector3 positive_zero(0, 0, 0), t = T_camera_world.translation() + positive_zero;
-  image.rotation = {q.w, q.x, q.y, q.z};
-  image.translation = {t[0], t[1], t[2]};
+  const SparseModel::Pose pose = pose_in_file(T_world_camera);
+  image.rotation = pose.rotation;
+  image.translation = pose.translation;
 }
 
 /// The smallest integer ≥ `least` of a size that images can have.
@@ -94,6 +95,7 @@ class ModelMaker {
     take_old_tracks();
     take_new_edges();
     set_cameras();
+    if (old_->has_frames) add_frames(model_, *old_, roles_);
     check_errors();
     set_errors();
     return std::move(model_);
@@ -106,8 +108,23 @@ class ModelMaker {
     std::size_t camera = kNone;  // of an image, if it has edges: index among the cameras
     bool has_sight = false;      // of an image or a point
     bool is_changed = true;      // since it was read
+    bool is_frame = false;       // the vertex of a frame, which may have other images than this one
   };
   Entry& entry(VertexRef vertex) { return entries_[vertex.pool][vertex.slot]; }
+
+  Entry& image_entry(const Sight& sight) {
+    if (!sight.offset) {
+      if (entry(sight.image).index == kNone)
+        refuse_for_colmap(fmt::format("an edge of pose {}, which is that of a rig without a camera there",
+                                      graph_.id(sight.image)));
+      return entry(sight.image);
+    }
+    const auto found = images_with_offset_.find({sight.image, *sight.offset});
+    if (found == images_with_offset_.end())
+      refuse_for_colmap(fmt::format("an edge of pose {} and offset {}, which are those of no image",
+                                    graph_.id(sight.image), graph_.id(*sight.offset)));
+    return found->second;
+  }
 
   bool has_role(const std::optional<VertexRef>& vertex, Role role) const {
     return vertex && roles_.role(*vertex) == role;
@@ -121,10 +138,10 @@ class ModelMaker {
       const auto vertex = graph_.find_parameter(camera.id);
       if (has_role(vertex, Role::kCamera)) add(camera, *vertex);
     }
-    for (const Image& image : old_->images) {
-      next_image_ = std::max(next_image_, image.id + 1);
-      const auto vertex = graph_.find_vertex(image.id);
-      if (has_role(vertex, Role::kImage)) add(image, *vertex);
+    const std::vector<PosePlace> places = pose_places(*old_);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      next_image_ = std::max(next_image_, old_->images[i].id + 1);
+      add(old_->images[i], places[i]);
     }
     const Id first = old_->first_point_vertex();
     for (const Point& point : old_->points) {
@@ -139,7 +156,7 @@ class ModelMaker {
       for (const VertexRef& vertex : vertices) {
         if (is_left_out(vertex)) continue;
         roles_.require_role(vertex);
-        if (entry(vertex).index == kNone) add_new(vertex);
+        if (entry(vertex).index == kNone && !entry(vertex).is_frame) add_new(vertex);
       }
     }
   }
@@ -155,7 +172,8 @@ class ModelMaker {
       case Role::kPoint:
         return add(Point{.id = next_point_++, .track = {}}, vertex);
       default:
-        add(Image{.id = next_image_++, .name = std::to_string(graph_.id(vertex)), .features = {}}, vertex);
+        add_new(Image{.id = next_image_++, .name = std::to_string(graph_.id(vertex)), .features = {}},
+                vertex);
     }
   }
 
@@ -169,7 +187,7 @@ class ModelMaker {
     model_.cameras.push_back(std::move(camera));
   }
 
-  void add(Image image, VertexRef vertex) {
+  void add_new(Image image, VertexRef vertex) {
     Entry& place = entry(vertex) = {.index = model_.images.size()};
     if (roles_.role(vertex) == Role::kBalImage) {
       const BalVertex& estimate = graph_.estimate(graph_.typed<BalVertex>(vertex));
@@ -178,11 +196,31 @@ class ModelMaker {
       model_.cameras.push_back({next_camera_++, "RADIAL", 0, 0, {values[0], 0, 0, values[1], values[2]}});
       set_pose(image, with_turned_axes(estimate.get<0>()));
     } else {
-      const SE3& estimate = graph_.estimate(graph_.typed<SE3>(vertex));
-      place.is_changed = pose_of(image).vector() != estimate.vector();
-      if (place.is_changed) set_pose(image, estimate);
+      set_pose(image, graph_.estimate(graph_.typed<SE3>(vertex)));
     }
-    image_indices_[image.id] = place.index;
+    model_.images.push_back(std::move(image));
+  }
+
+  /// Does nothing if the vertex of the image or its offset is gone.
+  void add(Image image, const PosePlace& place) {
+    const auto vertex = graph_.find_vertex(place.vertex);
+    if (!has_role(vertex, Role::kImage)) return;
+    entry(*vertex).is_frame = old_->has_frames;
+    SE3 pose = graph_.estimate(graph_.typed<SE3>(*vertex));
+    bool is_changed = pose.vector() != place.T_world_rig.vector();
+    Entry* in_model = &entry(*vertex);
+    if (place.offset) {
+      const auto offset = graph_.find_parameter(*place.offset);
+      if (!has_role(offset, Role::kImage)) return;
+      const SE3& T_rig_camera = graph_.estimate(graph_.typed<SE3>(*offset));
+      is_changed |= T_rig_camera.vector() != place.T_rig_camera.vector();
+      pose = pose * T_rig_camera;
+      in_model = &images_with_offset_[{*vertex, *offset}];
+    }
+    in_model->index = model_.images.size();
+    in_model->is_changed = is_changed;
+    if (is_changed) set_pose(image, pose);
+    image_indices_[image.id] = in_model->index;
     model_.images.push_back(std::move(image));
   }
 
@@ -216,7 +254,7 @@ class ModelMaker {
     const Sight& sight = *sights_[k];
     const Entry& point = entry(sight.point);
     Feature& feature = model_.images[image].features[position];
-    if (entry(sight.image).index != image || model_.points[point.index].id != feature.point) return false;
+    if (image_entry(sight).index != image || model_.points[point.index].id != feature.point) return false;
     feature.pixel = {sight.pixel[0], sight.pixel[1]};
     take(k, sight, position);
     return true;
@@ -242,7 +280,7 @@ class ModelMaker {
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       if (!sights_[k] || is_taken_[k]) continue;
       const Sight& sight = *sights_[k];
-      Image& image = model_.images[entry(sight.image).index];
+      Image& image = model_.images[image_entry(sight).index];
       const std::size_t index = entry(sight.point).index;
       Point& point = model_.points[index];
       point.track.push_back({image.id, static_cast<std::uint32_t>(image.features.size())});
@@ -255,7 +293,7 @@ class ModelMaker {
   /// `feature` is the position among the features of the image.
   void take(std::size_t k, const Sight& sight, std::size_t feature) {
     is_taken_[k] = true;
-    Entry& image = entry(sight.image);
+    Entry& image = image_entry(sight);
     const std::size_t camera = sight.camera == sight.image ? image.camera : entry(sight.camera).index;
     if (image.camera != kNone && image.camera != camera)
       refuse_for_colmap(fmt::format("pose {} with two cameras", graph_.id(sight.image)));
@@ -270,28 +308,35 @@ class ModelMaker {
   void set_cameras() {
     for (const VertexRef& vertex : graph_.all_vertices()) {
       const Role role = roles_.role(vertex);
-      if (role != Role::kImage && role != Role::kBalImage) continue;
-      const Entry& place = entry(vertex);
-      Image& image = model_.images[place.index];
-      if (place.camera == kNone) {
-        if (place.index < old_images_) continue;  // an image without observations has the camera of the file
-        refuse_for_colmap(
-            fmt::format("pose {} without an edge, so that its camera is unknown", graph_.id(vertex)));
-      }
-      Camera& camera = model_.cameras[place.camera];
-      image.camera = camera.id;
-      if (role == Role::kBalImage) move_center(camera, image);
-      if (place.camera >= old_cameras_) enlarge(camera, image);
+      if ((role == Role::kImage || role == Role::kBalImage) && entry(vertex).index != kNone)
+        set_camera(vertex, entry(vertex));
     }
+    for (const auto& [vertices, place] : images_with_offset_) set_camera(vertices.first, place);
+  }
+
+  void set_camera(VertexRef vertex, const Entry& place) {
+    Image& image = model_.images[place.index];
+    if (place.camera == kNone) {
+      if (place.index < old_images_) return;  // an image without observations has the camera of the file
+      refuse_for_colmap(
+          fmt::format("pose {} without an edge, so that its camera is unknown", graph_.id(vertex)));
+    }
+    Camera& camera = model_.cameras[place.camera];
+    image.camera = camera.id;
+    if (roles_.role(vertex) == Role::kBalImage) move_center(camera, image);
+    if (place.camera >= old_cameras_) enlarge(camera, image);
   }
 
   /// Refuses a graph if a reader of the model would have other poses or errors.
   void check_errors() const {
     std::vector<SE3> poses;
-    for (const Image& image : model_.images) {
-      poses.push_back(pose_of(image));
-      if (!is_moderate(poses.back()))
-        refuse_for_colmap(fmt::format("image {} with a pose that overflows", image.id));
+    for (const PosePlace& place : pose_places(model_)) {
+      const Image& image = model_.images[poses.size()];
+      poses.push_back(place.T_world_camera());
+      for (const SE3& pose : {place.T_world_rig, poses.back(), pose_of(image)}) {
+        if (!is_moderate(pose))
+          refuse_for_colmap(fmt::format("image {} with a pose that overflows", image.id));
+      }
     }
     for (const Seen& seen : seen_) {
       if (!seen.is_changed) continue;
@@ -337,9 +382,10 @@ class ModelMaker {
   std::vector<EdgeRef> edges_;
   const SparseModel* old_ = nullptr;
   SparseModel model_;
-  std::vector<std::vector<Entry>> entries_;   // by pool and slot
-  std::vector<std::optional<Sight>> sights_;  // by position in edges_
-  std::vector<bool> is_taken_;                // by position in edges_
+  std::vector<std::vector<Entry>> entries_;                              // by pool and slot
+  std::map<std::pair<VertexRef, VertexRef>, Entry> images_with_offset_;  // by vertex and offset
+  std::vector<std::optional<Sight>> sights_;                             // by position in edges_
+  std::vector<bool> is_taken_;                                           // by position in edges_
   std::vector<Seen> seen_;
   std::vector<std::size_t> changed_tracks_;  // indices of points
   std::size_t old_cameras_ = 0, old_images_ = 0;

@@ -11,9 +11,11 @@
 
 namespace boxplus {
 
-/// One reprojection error. The camera of a BAL image is the vertex of the image.
+/// One reprojection error. The camera of a BAL image is the vertex of the image. On a rig, the vertex of the
+/// image is T_world_rig, and the offset is T_rig_camera.
 struct Sight {
   VertexRef image, point, camera;
+  std::optional<VertexRef> offset;
   Vector2 pixel;
 };
 
@@ -23,6 +25,7 @@ class GraphRoles {
 
   explicit GraphRoles(const Graph& graph);
 
+  const Graph& graph() const { return graph_; }
   Role role(VertexRef vertex) const { return roles_[vertex.pool]; }
   /// Throws InvalidArgument if the vertex has no role in bundle adjustment.
   void require_role(VertexRef vertex) const;

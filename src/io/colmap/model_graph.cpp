@@ -7,9 +7,20 @@
 
 #include "boxplus/io/graph_file.h"
 #include "io/colmap/model_reader.h"
+#include "io/colmap/pose_places.h"
 
 namespace boxplus {
 namespace {
+
+/// The smallest power of ten that is larger than all ids.
+template <class Elements>
+Id power_above_ids(const Elements& elements) {
+  std::uint32_t largest = 0;
+  for (const auto& element : elements) largest = std::max(largest, element.id);
+  Id power = 10;
+  while (power <= static_cast<Id>(largest)) power *= 10;
+  return power;
+}
 
 /// Adds the edges of all images.
 class GraphMaker {
@@ -22,16 +33,15 @@ class GraphMaker {
       const CameraType* type = find_camera_type(camera.model);
       cameras_[camera.id] = {type, type->add(graph, camera.id, camera.parameters.data())};
     }
-    std::vector<VertexHandle<SE3>> poses;
-    for (const SparseModel::Image& image : model_.images)
-      poses.push_back(graph.add_vertex(pose_of(image), image.id));
+    const std::vector<PosePlace> places = pose_places(model_);
+    for (const PosePlace& place : places) add(place);
     const Id first = model_.first_point_vertex();
     for (const SparseModel::Point& point : model_.points) {
       const auto vertex = graph.add_vertex(Vector3(point.position.data()), first + static_cast<Id>(point.id));
       graph.set_eliminated(vertex, true);
       points_[point.id] = vertex;
     }
-    for (std::size_t i = 0; i < poses.size(); ++i) add_edges(model_.images[i], poses[i]);
+    for (std::size_t i = 0; i < places.size(); ++i) add_edges(model_.images[i], places[i]);
     return std::move(file_);
   }
 
@@ -41,18 +51,32 @@ class GraphMaker {
     VertexRef vertex;
   };
 
-  void add_edges(const SparseModel::Image& image, VertexHandle<SE3> pose) {
+  void add(const PosePlace& place) {
+    Graph& graph = file_.graph;
+    if (!poses_.contains(place.vertex))
+      poses_[place.vertex] = graph.add_vertex(place.T_world_rig, place.vertex);
+    if (place.offset && !offsets_.contains(*place.offset))
+      offsets_[*place.offset] = graph.add_parameter(place.T_rig_camera, *place.offset);
+  }
+
+  void add_edges(const SparseModel::Image& image, const PosePlace& place) {
     const CameraVertex& camera = cameras_.at(image.camera);
+    const VertexHandle<SE3> pose = poses_.at(place.vertex);
     for (const SparseModel::Feature& feature : image.features) {
       if (feature.point == SparseModel::Feature::kNoPoint) continue;
-      file_.edges.push_back(camera.type->observe(file_.graph, Vector2(feature.pixel.data()), pose,
-                                                 points_.at(feature.point), camera.vertex));
+      const Vector2 pixel(feature.pixel.data());
+      const VertexHandle<Vector3> point = points_.at(feature.point);
+      file_.edges.push_back(place.offset
+                                ? camera.type->observe_on_rig(file_.graph, pixel, pose, point,
+                                                              offsets_.at(*place.offset), camera.vertex)
+                                : camera.type->observe(file_.graph, pixel, pose, point, camera.vertex));
     }
   }
 
   const SparseModel& model_;
   GraphFile file_;
   std::unordered_map<std::uint32_t, CameraVertex> cameras_;
+  std::unordered_map<Id, VertexHandle<SE3>> poses_, offsets_;
   std::unordered_map<std::uint64_t, VertexHandle<Vector3>> points_;
 };
 
@@ -122,11 +146,11 @@ class ModelCensus {
 }  // namespace
 
 Id SparseModel::first_point_vertex() const {
-  std::uint32_t largest = 0;
-  for (const Image& image : images) largest = std::max(largest, image.id);
-  Id power = 10;
-  while (power <= static_cast<Id>(largest)) power *= 10;
-  return power;
+  return power_above_ids(images);
+}
+
+Id SparseModel::first_sensor_parameter() const {
+  return power_above_ids(cameras);
 }
 
 ModelNotes unusual_parts(const SparseModel& model) {

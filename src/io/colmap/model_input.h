@@ -2,11 +2,14 @@
 // The fields of one file of a COLMAP model, as text or binary. Both have the same fields in the same order.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "boxplus/base/error.h"
+#include "boxplus/io/sparse_model.h"
 #include "boxplus/io/text_source.h"
 #include "io/colmap/camera_types.h"
 
@@ -26,8 +29,8 @@ class ModelInput {
   ModelInput(const ModelInput&) = delete;
   ModelInput& operator=(const ModelInput&) = delete;
 
-  /// Moves to the next camera, image or point. Returns false at the end of the file. In a binary file, throws
-  /// if the declared number of elements does not fit into the file.
+  /// Moves to the next camera, image, point, rig or frame. Returns false at the end of the file. In a binary
+  /// file, throws if the declared number of elements does not fit into the file.
   virtual bool next_element() = 0;
   /// An integer that takes 1, 4 or 8 bytes in a binary file.
   virtual std::uint64_t integer(const char* what, int bytes) = 0;
@@ -35,6 +38,7 @@ class ModelInput {
   virtual std::uint64_t point_or_none(const char* what) = 0;
   virtual double number(const char* what) = 0;
   virtual const CameraType& camera_type() = 0;
+  virtual SparseModel::SensorType sensor_type() = 0;
   virtual std::string image_name() = 0;
   /// Moves to the list at the end of an element. In texts, the 2-D points of an image have a line of their
   /// own.
@@ -58,7 +62,10 @@ class ModelInput {
   Place place_;
 };
 
-enum class ModelFile : std::uint8_t { kCameras, kImages, kPoints };
+enum class ModelFile : std::uint8_t { kCameras, kImages, kPoints, kRigs, kFrames };
+
+/// By SparseModel::SensorType. Texts have these names, and binary files the index, with 4 bytes.
+inline constexpr std::array<std::string_view, 2> kSensorTypes{"CAMERA", "IMU"};
 
 std::unique_ptr<ModelInput> text_input(TextSource source);
 std::unique_ptr<ModelInput> binary_input(TextSource source, ModelFile file);

@@ -20,7 +20,11 @@ class TextOutput : public ModelOutput {
     constexpr std::array kTitles{
         "# CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS...\n# Cameras: ",
         "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME\n# (X Y POINT3D_ID)...\n# Images: ",
-        "# POINT3D_ID X Y Z R G B ERROR (IMAGE_ID POINT2D_INDEX)...\n# Points: "};
+        "# POINT3D_ID X Y Z R G B ERROR (IMAGE_ID POINT2D_INDEX)...\n# Points: ",
+        "# RIG_ID NUM_SENSORS REF_SENSOR_TYPE REF_SENSOR_ID (SENSOR_TYPE SENSOR_ID HAS_POSE [QW QX QY QZ TX "
+        "TY "
+        "TZ])...\n# Rigs: ",
+        "# FRAME_ID RIG_ID QW QX QY QZ TX TY TZ NUM_DATA_IDS (SENSOR_TYPE SENSOR_ID DATA_ID)...\n# Frames: "};
     text() += kTitles[static_cast<std::size_t>(file)];
     text() += std::to_string(elements);
     end_element();
@@ -32,6 +36,9 @@ class TextOutput : public ModelOutput {
   }
   void number(double value) override { FieldWriter(text()).number(value); }
   void camera_type(const CameraType& type) override { token(type.name); }
+  void sensor_type(SparseModel::SensorType type) override {
+    token(kSensorTypes[static_cast<std::size_t>(type)]);
+  }
   void image_name(const std::string& name) override { token(name); }
   void begin_list(std::size_t /*items*/, bool has_own_line) override {
     if (has_own_line) end_element();
@@ -53,6 +60,7 @@ class BinaryOutput : public ModelOutput {
   void point_or_none(std::uint64_t value) override { integer(value, 8); }
   void number(double value) override { integer(std::bit_cast<std::uint64_t>(value), 8); }
   void camera_type(const CameraType& type) override { integer(static_cast<std::uint64_t>(type.model_id), 4); }
+  void sensor_type(SparseModel::SensorType type) override { integer(static_cast<std::uint64_t>(type), 4); }
   void image_name(const std::string& name) override { text().append(name.c_str(), name.size() + 1); }
   void begin_list(std::size_t items, bool /*has_own_line*/) override { integer(items, 8); }
   void end_element() override {}
@@ -61,6 +69,16 @@ class BinaryOutput : public ModelOutput {
 template <class Values>
 void write_numbers(const Values& values, ModelOutput& out) {
   for (const double value : values) out.number(value);
+}
+
+void write_pose(const SparseModel::Pose& pose, ModelOutput& out) {
+  write_numbers(pose.rotation, out);
+  write_numbers(pose.translation, out);
+}
+
+void write_sensor(const SparseModel::Sensor& sensor, ModelOutput& out) {
+  out.sensor_type(sensor.type);
+  out.integer(sensor.id, 4);
 }
 
 void end_element(ModelOutput& out) {
@@ -120,6 +138,39 @@ void write_points(const SparseModel& model, ModelOutput& out) {
     for (const SparseModel::Observation& observation : point.track) {
       out.integer(observation.image, 4);
       out.integer(observation.feature, 4);
+    }
+    end_element(out);
+  }
+  out.flush(1);
+}
+
+void write_rigs(const SparseModel& model, ModelOutput& out) {
+  out.begin_file(ModelFile::kRigs, model.rigs.size());
+  for (const SparseModel::Rig& rig : model.rigs) {
+    out.integer(rig.id, 4);
+    out.integer(rig.sensors.size(), 4);
+    for (std::size_t i = 0; i < rig.sensors.size(); ++i) {
+      write_sensor(rig.sensors[i].sensor, out);
+      if (i == 0) continue;  // the reference sensor has no pose
+      const std::optional<SparseModel::Pose>& pose = rig.sensors[i].pose;
+      out.integer(static_cast<std::uint64_t>(pose.has_value()), 1);
+      if (pose) write_pose(*pose, out);
+    }
+    end_element(out);
+  }
+  out.flush(1);
+}
+
+void write_frames(const SparseModel& model, ModelOutput& out) {
+  out.begin_file(ModelFile::kFrames, model.frames.size());
+  for (const SparseModel::Frame& frame : model.frames) {
+    out.integer(frame.id, 4);
+    out.integer(frame.rig, 4);
+    write_pose(frame.pose, out);
+    out.integer(frame.data.size(), 4);
+    for (const SparseModel::Data& data : frame.data) {
+      write_sensor(data.sensor, out);
+      out.integer(data.id, 8);
     }
     end_element(out);
   }

@@ -22,6 +22,7 @@ class ModelOutput {
   virtual void point_or_none(std::uint64_t value) = 0;
   virtual void number(double value) = 0;
   virtual void camera_type(const CameraType& type) = 0;
+  virtual void sensor_type(SparseModel::SensorType type) = 0;
   virtual void image_name(const std::string& name) = 0;
   virtual void begin_list(std::size_t items, bool has_own_line) = 0;
   virtual void end_element() = 0;
@@ -47,6 +48,8 @@ std::unique_ptr<ModelOutput> binary_output(TextSink sink);
 void write_cameras(const SparseModel& model, ModelOutput& out);
 void write_images(const SparseModel& model, ModelOutput& out);
 void write_points(const SparseModel& model, ModelOutput& out);
+void write_rigs(const SparseModel& model, ModelOutput& out);
+void write_frames(const SparseModel& model, ModelOutput& out);
 /// Throws InvalidArgument if the names of the images cannot be written as text, or as binary.
 void require_names(const SparseModel& model, bool is_text);
 

@@ -72,9 +72,9 @@ class ModelReader {
     SparseModel::Image& image = model_.images.emplace_back();
     image.id = static_cast<std::uint32_t>(images_.integer("the id of an image", 4));
     insert_new(images_, image_indices_, image.id, model_.images.size() - 1, "image");
-    for (double& value : image.rotation) value = images_.number("a quaternion's coefficient");
-    for (double& value : image.translation) value = images_.number("a coordinate of the translation");
-    check_pose(image);
+    const SparseModel::Pose pose = read_pose(images_, fmt::format("image {}", image.id));
+    image.rotation = pose.rotation;
+    image.translation = pose.translation;
     image.camera = static_cast<std::uint32_t>(images_.integer("the id of the camera", 4));
     if (!camera_indices_.contains(image.camera))
       images_.fail(images_.place(),
@@ -83,19 +83,6 @@ class ModelReader {
     images_.begin_list(true);
     while (images_.next_in_list()) read_feature(image);
     images_.end_element();
-  }
-
-  void check_pose(const SparseModel::Image& image) const {
-    const auto& q = image.rotation;
-    const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-    if (!(norm > 1e-6 && norm < 1e6))
-      images_.fail(images_.place(),
-                   fmt::format("image {}: expected a quaternion of length 1, got one of length {:.6g}",
-                               image.id, norm));
-    if (!is_moderate(pose_of(image)))
-      images_.fail(
-          images_.place(),
-          fmt::format("image {}: expected a pose with moderate values, got values that overflow", image.id));
   }
 
   void read_feature(SparseModel::Image& image) {
@@ -136,10 +123,36 @@ SparseModel read_model(ModelInput& cameras, ModelInput& images, ModelInput& poin
   return ModelReader(cameras, images, points).read();
 }
 
-SE3 pose_of(const SparseModel::Image& image) {
-  const auto& q = image.rotation;
+SparseModel::Pose read_pose(ModelInput& in, const std::string& owner) {
+  SparseModel::Pose pose;
+  for (double& value : pose.rotation) value = in.number("a quaternion's coefficient");
+  for (double& value : pose.translation) value = in.number("a coordinate of the translation");
+  const auto& q = pose.rotation;
+  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (!(norm > 1e-6 && norm < 1e6))
+    in.fail(in.place(),
+            fmt::format("{}: expected a quaternion of length 1, got one of length {:.6g}", owner, norm));
+  if (!is_moderate(pose_of(pose)))
+    in.fail(in.place(),
+            fmt::format("{}: expected a pose with moderate values, got values that overflow", owner));
+  return pose;
+}
+
+SE3 pose_of(const SparseModel::Pose& pose) {
+  const auto& q = pose.rotation;
   const SO3 rotation(detail::Quaternion<double>{q[1], q[2], q[3], q[0]});
-  return SE3(Vector3(image.translation.data()), rotation).inverse();
+  return SE3(Vector3(pose.translation.data()), rotation).inverse();
+}
+
+SparseModel::Pose pose_in_file(const SE3& pose) {
+  const SE3 inverse = pose.inverse();
+  const detail::Quaternion<double> q = inverse.quaternion();
+  const Vector3 positive_zero(0, 0, 0), t = inverse.translation() + positive_zero;
+  return {{q.w, q.x, q.y, q.z}, {t[0], t[1], t[2]}};
+}
+
+SE3 pose_of(const SparseModel::Image& image) {
+  return pose_of(SparseModel::Pose{image.rotation, image.translation});
 }
 
 Vector2 error_of(const SparseModel::Camera& camera, const SE3& T_world_camera,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "boxplus/io/sparse_model.h"
 #include "io/characters.h"
 #include "io/colmap/model_input.h"
 #include "io/number_field.h"
@@ -56,6 +55,13 @@ class TextInput : public ModelInput {
     const CameraType* type = find_camera_type(text);
     if (!type) refuse(fmt::format("a camera model ({})", camera_type_names()), text);
     return *type;
+  }
+
+  SparseModel::SensorType sensor_type() override {
+    const std::string_view text = field();
+    const auto* const found = std::find(kSensorTypes.begin(), kSensorTypes.end(), text);
+    if (found == kSensorTypes.end()) refuse("the type of a sensor (CAMERA or IMU)", text);
+    return static_cast<SparseModel::SensorType>(found - kSensorTypes.begin());
   }
 
   std::string image_name() override {

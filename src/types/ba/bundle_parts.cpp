@@ -84,6 +84,7 @@ bool is_reprojection(const detail::EdgePool& pool) {
     const auto is = [&]<class Pool>() { return typeid(pool) == typeid(Pool); };
     using namespace detail;
     found = found || is.template operator()<TypedEdgePool<Reprojection<Camera>, SE3, Vector3, Camera>>() ||
+            is.template operator()<TypedEdgePool<Reprojection<Camera>, SE3, Vector3, SE3, Camera>>() ||
             is.template operator()<TypedEdgePool<Reprojection<Camera>, Product<SE3, Camera>, Vector3>>() ||
             is.template operator()<TypedEdgePool<CalibratedReprojection<Camera>, SE3, Vector3>>();
   });
@@ -123,8 +124,10 @@ std::size_t hold(Graph& graph, BundlePart part, bool held) {
   std::size_t count = 0;
   for (const auto& vertices : {graph.all_parameters(), graph.all_vertices()}) {
     for (const VertexRef& vertex : vertices) {
-      const Directions range = range_in(*graph.vertex_pools()[vertex.pool], part);
-      if (range.begin == range.end) continue;
+      const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+      const bool is_offset = pool.parameter(vertex.slot) && (holds<SE3>(pool) || holds<Vector3>(pool));
+      const Directions range = range_in(pool, part);
+      if (is_offset || range.begin == range.end) continue;
       hold(graph, vertex, range, held);
       ++count;
     }

@@ -298,11 +298,6 @@ TEST(ColmapFormat, IsNotWrittenIntoAFolderWithFilesThatColmapPrefers) {
   write_graph(folder.path(), model(), {.format = "COLMAP"});
   EXPECT_THAT(complaint_of([&] { write_graph(folder.path(), model(), {.format = "COLMAP-text"}); }),
               HasSubstr("expected a folder without cameras.bin"));
-  folder.write("frames.bin", "");
-  EXPECT_THAT(complaint_of([&] { write_graph(folder.path(), model(), {.format = "COLMAP"}); }),
-              HasSubstr("expected a folder without frames.bin"));
-  const GraphFile file = read_graph(folder.path());
-  EXPECT_EQ(file.notes.back().text, "rigs and frames are ignored: each image moves on its own");
 }
 
 TEST(ColmapFormat, CreatesAFolderForAGraphThatWasReadInIt) {

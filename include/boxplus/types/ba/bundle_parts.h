@@ -14,8 +14,8 @@ namespace boxplus {
 
 /// A part of the unknowns of bundle adjustment.
 enum class BundlePart : std::uint8_t {
-  kPoses,            ///< SE3 vertices, and the pose of each vertex of BAL
-  kPoints,           ///< Vector3 vertices
+  kPoses,            ///< SE3 vertices (no parameters), and the pose of each vertex of BAL
+  kPoints,           ///< Vector3 vertices (no parameters)
   kFocalLengths,     ///< f, or fx and fy
   kPrincipalPoints,  ///< cx and cy
   kDistortion,       ///< all other parameters of cameras
