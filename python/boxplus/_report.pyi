@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import EdgeFunctionCost, VertexRef
+from . import EdgeFunctionCost, EdgeRef, VertexRef
 from ._findings import EdgeVerdict, Finding
 
 class Enum:
@@ -133,6 +133,16 @@ class Report:
         redescending: int
         by_redescending: int
         cut_off: list[int]
+    class ActiveBound:
+        vertex: VertexRef
+        id: int
+        entry: int
+        is_upper: bool
+        limit: float
+        multiplier: float
+    class ConstraintResult:
+        edge: EdgeRef
+        multipliers: list[float]
     class EdgeJacobians:
         edge_type: str
         source: JacobianSource
@@ -154,6 +164,10 @@ class Report:
     gauge: Report.GaugeReport
     rejection: Report.RejectionReport
     records: list[IterationRecord]
+    active_bounds: list[Report.ActiveBound]
+    constraints: list[Report.ConstraintResult]
+    constraint_violation: float
+    constraint_rounds: int
     verdicts: list[EdgeVerdict]
     outlier_note: str
     findings: list[Finding]

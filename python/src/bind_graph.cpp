@@ -3,7 +3,9 @@
 #include <pybind11/stl.h>
 
 #include <functional>
+#include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bind.h"
@@ -134,6 +136,23 @@ void bind_vertices(GraphClass& type) {
             return std::vector<int>(directions.begin(), directions.end());
           },
           py::arg("vertex"))
+      .def(
+          "set_bounds",
+          [](GraphObject& self, py::handle vertex, int entry, double lower, double upper) {
+            self.write().set_bounds(vertex_of(self.read(), vertex, "vertex"), entry, lower, upper);
+          },
+          py::arg("vertex"), py::arg("entry"), py::arg("lower") = -std::numeric_limits<double>::infinity(),
+          py::arg("upper") = std::numeric_limits<double>::infinity(),
+          "Keeps an entry of an estimate, numbered from 0, within lower <= entry <= upper.")
+      .def(
+          "bounds",
+          [](const GraphObject& self, py::handle vertex) {
+            std::vector<std::tuple<int, double, double>> result;
+            for (const detail::Bound& bound : self.read().bounds(vertex_of(self.read(), vertex, "vertex")))
+              result.emplace_back(bound.entry, bound.lower, bound.upper);
+            return result;
+          },
+          py::arg("vertex"), "The bounds of a vertex: (entry, lower, upper), in ascending order of entries.")
       .def("vertex_count", [](const GraphObject& self) { return self.read().vertex_count(); })
       .def("parameter_count", [](const GraphObject& self) { return self.read().parameter_count(); })
       .def("edge_count", [](const GraphObject& self) { return self.read().edge_count(); })

@@ -15,6 +15,8 @@ using Timings = Report::Timings;
 using StartReport = Report::StartReport;
 using GaugeReport = Report::GaugeReport;
 using RejectionReport = Report::RejectionReport;
+using ActiveBound = Report::ActiveBound;
+using ConstraintResult = Report::ConstraintResult;
 using EdgeJacobians = Report::EdgeJacobians;
 
 constexpr std::tuple kRecord{Member{"iteration", &IterationRecord::iteration},
@@ -48,6 +50,12 @@ constexpr std::tuple kRejection{Member{"is_known", &RejectionReport::is_known},
                                 Member{"redescending", &RejectionReport::redescending},
                                 Member{"by_redescending", &RejectionReport::by_redescending},
                                 Member{"cut_off", &RejectionReport::cut_off}};
+constexpr std::tuple kActiveBound{
+    Member{"vertex", &ActiveBound::vertex}, Member{"id", &ActiveBound::id},
+    Member{"entry", &ActiveBound::entry},   Member{"is_upper", &ActiveBound::is_upper},
+    Member{"limit", &ActiveBound::limit},   Member{"multiplier", &ActiveBound::multiplier}};
+constexpr std::tuple kConstraint{Member{"edge", &ConstraintResult::edge},
+                                 Member{"multipliers", &ConstraintResult::multipliers}};
 constexpr std::tuple kJacobians{Member{"edge_type", &EdgeJacobians::edge_type},
                                 Member{"source", &EdgeJacobians::source}};
 constexpr std::tuple kTimings{
@@ -76,6 +84,10 @@ constexpr std::tuple kReport{Member{"status", &Report::status},
                              Member{"gauge", &Report::gauge},
                              Member{"rejection", &Report::rejection},
                              Member{"records", &Report::records},
+                             Member{"active_bounds", &Report::active_bounds},
+                             Member{"constraints", &Report::constraints},
+                             Member{"constraint_violation", &Report::constraint_violation},
+                             Member{"constraint_rounds", &Report::constraint_rounds},
                              Member{"verdicts", &Report::verdicts},
                              Member{"outlier_note", &Report::outlier_note},
                              Member{"findings", &Report::findings},
@@ -114,6 +126,8 @@ void bind_report(py::module_& module) {
   bind_struct<StartReport>(report, "StartReport", kStart);
   bind_struct<GaugeReport>(report, "GaugeReport", kGauge);
   bind_struct<RejectionReport>(report, "RejectionReport", kRejection);
+  bind_struct<ActiveBound>(report, "ActiveBound", kActiveBound);
+  bind_struct<ConstraintResult>(report, "ConstraintResult", kConstraint);
   bind_struct<EdgeJacobians>(report, "EdgeJacobians", kJacobians);
   bind_struct<Timings>(report, "Timings", kTimings);
   bind_members(report, kReport);

@@ -315,14 +315,15 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
   return result;
 }
 
-/// Solves. If entries at a limit block the step, solves again without them.
+/// Solves. If limits block the step, solves again without the entries that do so.
 StepResult BatchSystem::solve_within_bounds(const StepDamping& damping, std::span<double> step) {
-  constexpr int kRounds = 10;
+  constexpr int kRounds = 50;
   bounds_.forget_blocked();
   StepResult result = solve_without_gauge(damping, step);
-  for (int round = 0; round < kRounds && result.status == LinearStatus::kOk && bounds_.find_blocked(step);
-       ++round)
+  for (int round = 0; round < kRounds; ++round) {
+    if (result.status != LinearStatus::kOk || !bounds_.find_blocked(step)) break;
     result = solve_without_gauge(damping, step);
+  }
   if (result.status == LinearStatus::kOk && !bounds_.empty()) keep_within_bounds(result, step);
   return result;
 }
@@ -331,13 +332,15 @@ StepResult BatchSystem::solve_within_bounds(const StepDamping& damping, std::spa
 /// always lowers the model of chi2. Takes the better of both.
 void BatchSystem::keep_within_bounds(StepResult& result, std::span<double> step) {
   const double fraction = bounds_.longest_fraction(step);
+  if (bounds_.move_blocked(step)) result.exact = false;
   if (fraction == 1) return;
-  const auto decrease = [&](std::span<const double> d) { return model_decrease(gradient_, d, curvature(d)); };
+  result.exact = false;
   std::ranges::copy(step, bounded_step_.begin());
   for (double& entry : bounded_step_) entry *= fraction;
+  bounds_.move_blocked(bounded_step_);
   bounds_.clip(step);
+  const auto decrease = [&](std::span<const double> d) { return model_decrease(gradient_, d, curvature(d)); };
   if (!(decrease(step) >= decrease(bounded_step_))) std::ranges::copy(bounded_step_, step.begin());
-  result.exact = false;
 }
 
 /// Solves, and finds out how to remove the gauge freedom.

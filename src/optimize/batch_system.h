@@ -44,6 +44,7 @@ class BatchSystem final : public System {
   std::span<const double> scale() const override { return scale_; }
   double curvature(std::span<const double> d) override;
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
+  bool clip(std::span<double> step) const override { return bounds_.clip(step); }
   double try_step(std::span<const double> step) override;
   /// The largest entry of the last step of try_step(), in standard deviations: max √Hᵢᵢ |δᵢ|. An entry's
   /// standard deviation is the one that it has if all other unknowns are known.

@@ -45,10 +45,14 @@ void Bounds::find_active(const Graph& graph, std::span<double> gradient, std::sp
 }
 
 bool Bounds::find_blocked(std::span<const double> step) {
+  constexpr double kAlmostAtOnce = 1e-2;
   const std::size_t before = held_;
   for (Item& item : items_) {
-    if (item.state != State::kFree || !is_at_limit(item.bound, item.value, step[item.scalar])) continue;
+    if (item.state != State::kFree) continue;
+    const double whole = step[item.scalar], possible = clipped(item, whole);
+    if (possible == whole || std::abs(possible) > kAlmostAtOnce * std::abs(whole)) continue;
     item.state = State::kBlocked;
+    item.distance = possible;
     ++held_;
   }
   return held_ > before;
@@ -76,8 +80,25 @@ double Bounds::clipped(const Item& item, double step) {
                     std::max(0.0, item.bound.upper - item.value));
 }
 
-void Bounds::clip(std::span<double> step) const {
-  for (const Item& item : items_) step[item.scalar] = clipped(item, step[item.scalar]);
+bool Bounds::clip(std::span<double> step) const {
+  bool clips = false;
+  for (const Item& item : items_) {
+    double& entry = step[item.scalar];
+    const double possible = clipped(item, entry);
+    clips |= possible != entry;
+    entry = possible;
+  }
+  return clips;
+}
+
+bool Bounds::move_blocked(std::span<double> step) const {
+  bool moves = false;
+  for (const Item& item : items_) {
+    if (item.state != State::kBlocked) continue;
+    step[item.scalar] = item.distance;
+    moves |= item.distance != 0;
+  }
+  return moves;
 }
 
 void Bounds::snap(const Graph& graph) const {

@@ -27,7 +27,7 @@ class Bounds {
 
   /// Finds the active entries at the current estimates, and sets their entries of both vectors to zero.
   void find_active(const Graph& graph, std::span<double> gradient, std::span<double> right_hand_side);
-  /// Finds the entries that block a step. Returns false if there are none but those that are already held.
+  /// Finds the entries that block a step. Returns false if all of them are already held.
   bool find_blocked(std::span<const double> step);
   void forget_blocked();
   bool holds_any() const { return held_ > 0; }
@@ -41,8 +41,10 @@ class Bounds {
 
   /// The largest fraction of the step, at most 1, for which no entry leaves its limits.
   double longest_fraction(std::span<const double> step) const;
-  /// Shortens each entry of the step that leaves its limits.
-  void clip(std::span<double> step) const;
+  /// Shortens each entry of the step that leaves its limits. Returns whether there are any.
+  bool clip(std::span<double> step) const;
+  /// Sets the steps of blocked entries to those that lead to their limits. Returns whether any is not zero.
+  bool move_blocked(std::span<double> step) const;
   /// To be called after x ← x ⊞ step with a clipped step: entries that are outside by rounding errors move to
   /// their limits, so that they are exactly there.
   void snap(const Graph& graph) const;
@@ -57,6 +59,7 @@ class Bounds {
     detail::Bound bound;
     double value = 0;     // at the last find_active()
     double gradient = 0;  // of F / 2, at the last find_active()
+    double distance = 0;  // of a blocked entry: from its value to its limit
     State state = State::kFree;
   };
 

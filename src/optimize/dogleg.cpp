@@ -100,10 +100,12 @@ void Dogleg::blend() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = cauchy_[i] + beta * (newton_[i] - cauchy_[i]);
 }
 
-/// Sets step_ to the longest dogleg step within the radius. Returns its predicted decrease.
+/// Sets step_ to the longest dogleg step within the radius. Returns its predicted decrease, which may be
+/// negative if bounds shorten the step.
 double Dogleg::find_step(System& system) {
   if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
   blend();
+  is_clipped_ = newton_norm_ > radius_ && system.clip(step_);
   const double curvature = newton_norm_ <= radius_ ? newton_curvature_ : system.curvature(step_);
   return model_decrease(system.gradient(), step_, curvature);
 }
@@ -111,7 +113,7 @@ double Dogleg::find_step(System& system) {
 /// Like find_step(), but grows the radius until the predicted decrease is larger than a rounding error.
 double Dogleg::find_first_step(System& system, double chi2) {
   double predicted = find_step(system);
-  while (newton_norm_ > radius_ && predicted <= kNegligible * chi2) {
+  while (newton_norm_ > radius_ && !is_clipped_ && predicted <= kNegligible * chi2) {
     radius_ =
         predicted > 0 ? std::min(newton_norm_, radius_ * (kNoticeable * chi2 / predicted)) : newton_norm_;
     predicted = find_step(system);
@@ -156,7 +158,8 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     if (stopped) return IterationOutcome::kStopped;
     record.chi2 = chi2;
     if (!cut_short && is_rough(system, step_, predicted, chi2)) return IterationOutcome::kNoFurtherDecrease;
-    if (predicted <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
+    // A smaller step would decrease chi2 even less, unless bounds have turned this one.
+    if (predicted <= kRounding * chi2 && !is_clipped_) break;
   }
   const double newton_decrease = model_decrease(system.gradient(), newton_, system.curvature(newton_));
   return outcome_without_decrease(system, newton_, newton_decrease, chi2);

@@ -75,6 +75,20 @@ class OptimizeTest(CommandCase):
         run("optimize", TOWN, "-o", self.path / "out.g2o")
         self.assertEqual(done.stdout, (self.path / "out.g2o").read_text(encoding="utf-8"))
 
+    def test_bounds_of_a_json_file_hold_and_are_reported(self):
+        graph = self.path / "bounds.json"
+        graph.write_text('{"format": "boxplus graph", "version": 1, "parameters": [], "vertices": [{"tag": "VERTEX_XY", "id": 3, "fields": [0, 0], '
+                         '"bounds": [{"entry": 0, "upper": 1.5}]}], "edges": [{"tag": "EDGE_PRIOR_XY", "ids": [3], '
+                         '"fields": [4, 2], "information": [2, 0, 2]}]}', encoding="utf-8")
+        out = self.path / "out.json"
+        report = self.report_of(graph, "-o", out)
+        self.assertEqual(report["active_bounds"], [{"vertex": 3, "entry": 0, "limit": "upper", "value": 1.5, "multiplier": 10}])
+        written = json.loads(out.read_text(encoding="utf-8"))["vertices"][0]
+        self.assertEqual((written["fields"][0], written["bounds"]), (1.5, [{"entry": 0, "upper": 1.5}]))
+        lines = run("optimize", graph, "-o", self.path / "out.g2o")
+        self.assertIn("vertex 3, entry 0, is at its upper limit 1.5", lines.stdout)
+        self.assertIn("1 vertices have bounds", lines.stderr)
+
     def test_writes_only_the_json_report_to_stdout(self):
         done = run("optimize", TOWN, "--json", "-")
         self.assertEqual(json.loads(done.stdout)["status"], "converged")

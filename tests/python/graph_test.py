@@ -50,6 +50,24 @@ class Vertices(unittest.TestCase):
         graph.change_id(0, 10)
         self.assertFalse(graph.is_fixed(10))
 
+    def test_bounds_hold_and_the_report_has_their_multipliers(self):
+        graph = Graph()
+        point = graph.add_vertex([0, 0])
+        graph.add_edge(Prior([3, -4]), point)
+        graph.set_bounds(point, 0, upper=1)
+        graph.set_bounds(point, 1, -2, 2)
+        self.assertEqual(graph.bounds(point), [(0, -np.inf, 1), (1, -2, 2)])
+        report = boxplus.optimize(graph)
+        self.assertTrue(report.converged())
+        self.assertEqual(graph.estimate(point).tolist(), [1, -2])
+        self.assertEqual([(bound.id, bound.entry, bound.is_upper, bound.limit) for bound in report.active_bounds],
+                         [(0, 0, True, 1), (0, 1, False, -2)])
+        np.testing.assert_allclose([bound.multiplier for bound in report.active_bounds], [4, 4])
+        graph.set_bounds(point, 0)
+        self.assertEqual(graph.bounds(point), [(1, -2, 2)])
+        with self.assertRaisesRegex(InvalidArgument, "entry from 0 to 1, got 2"):
+            graph.set_bounds(point, 2, 0, 1)
+
     def test_an_estimate_is_a_copy(self):
         graph = Graph()
         graph.add_vertex([1, 2])

@@ -61,6 +61,7 @@ class Pickles(unittest.TestCase):
         graph.set_level(again, 4)
         graph.set_eliminated(10, True)
         graph.fix_directions(2, [0, 2])
+        graph.set_bounds(10, 1, -0.5, 2.5)
         other = self.again(graph)
         edges = {(other.edge_type(edge), *(other.id(vertex) for vertex in other.vertices(edge))): edge
                  for edge in other.all_edges()}
@@ -72,7 +73,7 @@ class Pickles(unittest.TestCase):
         self.assertEqual({key: other.level(edge) for key, edge in edges.items() if other.level(edge)},
                          {("Between<SE2>", 2, 0): 4})
         for vertex in (0, 1, 2, 10):
-            for flag in ("is_fixed", "is_eliminated", "fixed_directions"):
+            for flag in ("is_fixed", "is_eliminated", "fixed_directions", "bounds"):
                 self.assertEqual(getattr(other, flag)(vertex), getattr(graph, flag)(vertex), (vertex, flag))
         self.assertEqual(other.estimate(other.find_parameter(10)), SE2(0.1, 0.2, 0.3))
         self.assertEqual(other.chi2(), graph.chi2())

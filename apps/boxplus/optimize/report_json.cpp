@@ -93,6 +93,18 @@ Json rejection_json(const Report& report) {
           {"cut_off", rejection.cut_off}};
 }
 
+Json bounds_json(const std::vector<Report::ActiveBound>& bounds) {
+  Json result = Json::array();
+  for (const Report::ActiveBound& bound : bounds) {
+    result.push_back({{"vertex", bound.id},
+                      {"entry", bound.entry},
+                      {"limit", bound.is_upper ? "upper" : "lower"},
+                      {"value", bound.limit},
+                      {"multiplier", bound.multiplier}});
+  }
+  return result;
+}
+
 Json jacobians_json(const std::vector<Report::EdgeJacobians>& jacobians) {
   Json result = Json::array();
   for (const Report::EdgeJacobians& edge : jacobians) {
@@ -161,6 +173,7 @@ std::string report_json(const Report& run, const RunFacts& facts) {
                      {"gauge", gauge_json(report.gauge)},
                      {"kernel", kernel_json(facts.kernel)},
                      {"rejection", rejection_json(report)},
+                     {"active_bounds", bounds_json(report.active_bounds)},
                      {"findings", findings_json(report.findings)},
                      {"outliers", facts.outliers ? outliers_json(*facts.outliers) : Json(nullptr)},
                      {"certificate", certificate_json(facts.certificate)},

@@ -60,6 +60,9 @@ class System {
   virtual double curvature(std::span<const double> d) = 0;
   /// Solves (H + λD) step = −g. `step` has as many entries as the gradient.
   virtual StepResult solve(const StepDamping& damping, std::span<double> step) = 0;
+  /// Shortens the entries of a step that leave bounds (Graph::set_bounds()), as try_step() does. Returns
+  /// whether there are any. Steps of solve() have none.
+  virtual bool clip(std::span<double> /*step*/) const { return false; }
   /// Sets x ← x ⊞ step, and returns F at the new x.
   virtual double try_step(std::span<const double> step) = 0;
   virtual void accept() = 0;
