@@ -202,8 +202,13 @@ class _Numeric:
     def size(self, i, direction):
         """Of the numbers that a step in this direction changes: of a coordinate, or of the position of a pose."""
         x, dim = self.arguments[i], self.dims[i]
-        if x.shape[1] != dim:  # SE3
-            return np.abs(x[:, :3]).max(axis=1) if direction < 3 else np.ones(len(x))
+        width = x.shape[1]
+        if width > dim:  # SO3, S2, SE3, Sim3, (SE3, camera), planes and lines turn by angles
+            if width > 8 and direction >= 6:
+                return np.abs(x[:, direction + 1])
+            moves = range(3, 6) if width == 8 else range(0, 3) if width >= 7 and dim >= 6 else ()
+            scale = x[:, 7] if width == 8 else 1.0
+            return np.abs(x[:, :3]).max(axis=1) / scale if direction in moves else np.ones(len(x))
         if dim == 3 and direction < 2:  # SE2 or a point
             return np.abs(x[:, :2]).max(axis=1)
         return np.abs(x[:, direction])

@@ -1,106 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rotations and poses. Points are NumPy arrays.
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
-#include <string>
+#include <span>
 #include <vector>
 
-#include "bind.h"
-#include "boxplus/manifold/se2.h"
-#include "boxplus/manifold/se3.h"
-#include "boxplus/manifold/so2.h"
-#include "boxplus/manifold/so3.h"
-#include "convert.h"
+#include "manifold_class.h"
 
 namespace boxplus::python {
 namespace {
 
-template <int N>
-Vector<double, N> vector_of(py::handle value, const char* name, const char* layout) {
-  return Eigen::Map<const Vector<double, N>>(read_vector(value, N, name, layout).data());
+S2 direction_of(py::handle value) {
+  const Vector3 v = vector_of<3>(value, "vector", "x y z");
+  if (v.isZero(0)) throw_value_error("vector", "a vector that is not zero", value);
+  return S2(v);
 }
-Vector2 point2(py::handle value) {
-  return vector_of<2>(value, "point", "x y");
-}
-Vector3 point3(py::handle value) {
-  return vector_of<3>(value, "point", "x y z");
-}
-Vector3 translation3(py::handle value) {
-  return vector_of<3>(value, "translation", "x y z");
-}
-
-SO3::Quaternion quaternion_of(py::handle value, const char* name) {
-  const std::vector<double> q = read_vector(value, 4, name, "qx qy qz qw");
-  if (std::all_of(q.begin(), q.end(), [](double x) { return x == 0; }))
-    throw_value_error(name, "a quaternion that is not zero", value);
-  return {q[0], q[1], q[2], q[3]};
-}
-
-/// A rotation from a quaternion (qx qy qz qw) or a rotation matrix.
-SO3 rotation_of(py::handle value) {
-  if (py::isinstance<SO3>(value)) return value.cast<SO3>();
-  const Numbers numbers = read_numbers(value, "rotation");
-  if (numbers.ndim() == 1) return SO3(quaternion_of(numbers, "rotation"));
-  if (numbers.ndim() != 2 || numbers.shape(0) != 3 || numbers.shape(1) != 3)
-    throw_value_error("rotation", "an SO3, a quaternion (qx qy qz qw), or a matrix of shape (3, 3)", numbers);
-  Matrix<double, 3, 3> matrix;
-  for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = numbers.data()[i];
-  if (!(matrix * matrix.transpose()).isIdentity(1e-6) || matrix.determinant() < 0)
-    throw_value_error("rotation", "a rotation matrix (orthogonal, with the determinant 1)",
-                      value.attr("tolist")());
-  return SO3(matrix);
-}
-
-template <class M>
-Numbers array_of(const M& vector) {
-  return to_array(std::span(vector.data(), static_cast<std::size_t>(vector.size())));
-}
-Numbers array_of(const SO3::Quaternion& q) {
-  return to_array(std::array{q.x, q.y, q.z, q.w});
-}
-
-double finite(double value, const char* name) {
-  if (!std::isfinite(value)) throw_value_error(name, "a finite number", py::float_(value));
+double positive(double value, const char* name) {
+  if (!(value > 0) || !std::isfinite(value)) throw_value_error(name, "a positive number", py::float_(value));
   return value;
-}
-
-/// ⊞ and ⊟, the inverse, the product, comparison and pickling. `size`: the numbers of data().
-template <class T, int kSize>
-void bind_common(py::class_<T>& type, T (*from_data)(const double*)) {
-  constexpr int kDim = Manifold<T>::kDim;
-  type.def("inverse", &T::inverse)
-      .def(
-          "__mul__", [](const T& a, const T& b) -> T { return a * b; }, py::is_operator())
-      .def(
-          "oplus",
-          [](const T& x, py::handle delta) -> T {
-            return Manifold<T>::oplus(x, read_vector(delta, kDim, "delta", "the tangent").data());
-          },
-          py::arg("delta"), "x ⊞ delta: the value that a step in the tangent space leads to.")
-      .def(
-          "ominus",
-          [](const T& y, const T& x) {
-            std::array<double, kDim> delta;
-            Manifold<T>::ominus(y, x, delta.data());
-            return to_array(delta);
-          },
-          py::arg("x"), "y ⊟ x: the step that leads from x to y.")
-      .def(
-          "__eq__", [](const T& a, const T& b) { return std::equal(a.data(), a.data() + kSize, b.data()); },
-          py::is_operator())
-      .def("__copy__", [](const T& x) { return x; })
-      .def("__deepcopy__", [](const T& x, const py::dict&) { return x; })
-      .def(py::pickle([](const T& x) { return to_array(std::span(x.data(), std::size_t{kSize})); },
-                      [from_data](const Numbers& data) { return from_data(data.data()); }))
-      .def("__repr__", [](const T& x) {
-        std::string text;
-        for (int i = 0; i < kSize; ++i)
-          text += (i == 0 ? "" : ", ") + std::string(py::str(py::str("{:.9g}").format(x.data()[i])));
-        // The values that the constructor or from_vector() takes.
-        const bool is_listed = kSize != 1 && kSize != 3;
-        return std::string(T::kName) + (is_listed ? ".from_vector([" + text + "])" : "(" + text + ")");
-      });
 }
 
 void bind_plane(py::module_& module) {
@@ -109,7 +25,8 @@ void bind_plane(py::module_& module) {
       .def(py::init([](double angle) { return SO2(finite(angle, "angle")); }), py::arg("angle"))
       .def("angle", [](const SO2& x) { return x.angle(); })
       .def("rotation", [](const SO2& x) { return to_array(Eigen::MatrixXd(x.rotation())); });
-  bind_common<SO2, 1>(so2, [](const double* data) { return SO2(data[0]); });
+  bind_group(so2);
+  bind_manifold_class<SO2>(so2, [](const double* row) { return SO2(row[0]); });
   so2.def("__mul__", [](const SO2& x, py::handle p) { return array_of(x * point2(p)); });
 
   py::class_<SE2> se2(
@@ -143,7 +60,8 @@ void bind_plane(py::module_& module) {
       .def("rotation", [](const SE2& x) { return to_array(Eigen::MatrixXd(x.rotation())); })
       .def("inverse_times", [](const SE2& a, const SE2& b) -> SE2 { return a.inverse_times(b); })
       .def("inverse_times", [](const SE2& a, py::handle p) { return array_of(a.inverse_times(point2(p))); });
-  bind_common<SE2, 3>(se2, [](const double* data) { return SE2(data[0], data[1], data[2]); });
+  bind_group(se2);
+  bind_manifold_class<SE2>(se2, [](const double* row) { return SE2(row[0], row[1], row[2]); });
   se2.def("__mul__", [](const SE2& x, py::handle p) { return array_of(x * point2(p)); });
 }
 
@@ -169,7 +87,8 @@ void bind_space(py::module_& module) {
       .def(
           "minimal", [](const SO3& x) { return array_of(x.minimal()); },
           "The vector part of the quaternion with w ≥ 0.");
-  bind_common<SO3, 4>(so3, [](const double* q) { return SO3::from_unit({q[0], q[1], q[2], q[3]}); });
+  bind_group(so3);
+  bind_manifold_class<SO3>(so3, [](const double* q) { return SO3::from_unit({q[0], q[1], q[2], q[3]}); });
   so3.def("__mul__", [](const SO3& x, py::handle p) { return array_of(x * point3(p)); });
 
   py::class_<SE3> se3(
@@ -214,10 +133,61 @@ void bind_space(py::module_& module) {
           "The translation, and the vector part of the quaternion with w ≥ 0.")
       .def("inverse_times", [](const SE3& a, const SE3& b) -> SE3 { return a.inverse_times(b); })
       .def("inverse_times", [](const SE3& a, py::handle p) { return array_of(a.inverse_times(point3(p))); });
-  bind_common<SE3, 7>(se3, [](const double* x) {
+  bind_group(se3);
+  bind_manifold_class<SE3>(se3, [](const double* x) {
     return SE3::from_unit(Vector3(x[0], x[1], x[2]), {x[3], x[4], x[5], x[6]});
   });
   se3.def("__mul__", [](const SE3& x, py::handle p) { return array_of(x * point3(p)); });
+}
+
+void bind_directions(py::module_& module) {
+  py::class_<S2> s2(module, "S2",
+                    "A direction in space: a unit vector. Tangent: two rotation angles in radians.");
+  s2.def(py::init<>())
+      .def(py::init(&direction_of), py::arg("vector"), "The direction of a vector that is not zero.")
+      .def_static("from_vector", &direction_of, py::arg("vector"))
+      .def(
+          "vector", [](const S2& x) { return array_of(x.vector()); }, "x y z, of length 1");
+  bind_manifold_class<S2>(s2, [](const double* x) { return S2::from_unit(x[0], x[1], x[2]); });
+}
+
+void bind_similarities(py::module_& module) {
+  py::class_<Sim3> sim3(
+      module, "Sim3",
+      "A similarity p ↦ s R p + t in space. Tangent: (ω, υ, σ), the logarithm of a similarity: "
+      "rotation vector, translation and log scale.");
+  sim3.def(py::init<>())
+      .def(py::init([](py::handle rotation, py::handle translation, double scale) {
+             return Sim3(rotation_of(rotation).quaternion(), translation3(translation),
+                         positive(scale, "scale"));
+           }),
+           py::arg("rotation"), py::arg("translation"), py::arg("scale"),
+           "The rotation is an SO3, a quaternion (qx qy qz qw) or a matrix.")
+      .def_static(
+          "from_vector",
+          [](py::handle vector) {
+            return Value<Sim3>::from_row(
+                read_vector(vector, Value<Sim3>::kSize, "vector", Value<Sim3>::kLayout).data(),
+                {"vector", 0});
+          },
+          py::arg("vector"), "From x y z qx qy qz qw scale.")
+      .def_static(
+          "exp", [](py::handle v) { return Sim3::exp(vector_of<7>(v, "tangent", "the tangent")); },
+          py::arg("tangent"), "The similarity with the logarithm (ω, υ, σ).")
+      .def(
+          "log", [](const Sim3& x) { return array_of(x.log()); }, "The inverse of exp().")
+      .def("translation", [](const Sim3& x) { return array_of(x.translation()); })
+      .def(
+          "quaternion", [](const Sim3& x) { return array_of(x.quaternion()); }, "qx qy qz qw")
+      .def("rotation", [](const Sim3& x) { return to_array(Eigen::MatrixXd(x.rotation())); })
+      .def("scale", [](const Sim3& x) { return x.scale(); })
+      .def(
+          "vector", [](const Sim3& x) { return to_array(row_of(x)); }, "x y z qx qy qz qw scale");
+  bind_group(sim3);
+  bind_manifold_class<Sim3>(sim3, [](const double* x) {
+    return Sim3::from_unit({x[3], x[4], x[5], x[6]}, Vector3(x[0], x[1], x[2]), x[7]);
+  });
+  sim3.def("__mul__", [](const Sim3& x, py::handle p) { return array_of(x * point3(p)); });
 }
 
 }  // namespace
@@ -225,6 +195,8 @@ void bind_space(py::module_& module) {
 void bind_manifold(py::module_& module) {
   bind_plane(module);
   bind_space(module);
+  bind_directions(module);
+  bind_similarities(module);
 }
 
 }  // namespace boxplus::python

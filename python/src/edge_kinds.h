@@ -21,7 +21,7 @@ struct EdgeValue {
 
 struct EdgeKind {
   std::string_view family;             ///< the name of the Python class: "Between"
-  std::string_view vertices;           ///< "SE2, SE2"
+  std::string vertices;                ///< "SE2, SE2"
   std::vector<std::type_index> pools;  ///< the types of the pools of its vertices
   std::type_index pool;                ///< the type of the pool of its edges
   std::string_view layout;             ///< of the row of a measurement: "x y theta"
@@ -40,6 +40,8 @@ struct EdgeFamily {
 
 std::span<const EdgeFamily> edge_families();
 std::span<const EdgeKind> edge_kinds();
+/// A part of edge_kinds(): those of cameras.
+std::vector<EdgeKind> camera_edge_kinds();
 /// The name of the class of an edge, or of the class itself if `edge` is one. Throws TypeError if it is not
 /// of a family.
 std::string family_of(py::handle edge);

@@ -1,93 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vertex_kinds.h"
 
+#include <pybind11/eval.h>
+
 #include <string>
 #include <typeinfo>
+#include <utility>
+#include <vector>
 
-#include "boxplus/autodiff/dual.h"
-#include "boxplus/autodiff/dual_eigen.h"
-#include "boxplus/graph/differentiate.h"
-#include "boxplus/types/vertex_pools.h"
 #include "graph_object.h"
-#include "values.h"
+#include "vertex_kind.h"
 
 namespace boxplus::python {
 namespace {
 
-template <class T>
-void step_derivative(const double* row, double* out) {
-  constexpr int kDim = Manifold<T>::kDim;
-  using Dual = detail::Dual<double, kDim>;
-  const auto moved = detail::lift<Dual>(Value<T>::from_row(row, {}), 0, 0);
-  for (int i = 0; i < Value<T>::kSize; ++i) {
-    for (int k = 0; k < kDim; ++k) *out++ = moved.data()[i].derivative[static_cast<std::size_t>(k)];
-  }
+/// Points, which are the most frequent, are first.
+template <int... I>
+std::vector<VertexKind> vector_kinds(std::integer_sequence<int, I...>) {
+  return {vertex_kind<Vector2>(), vertex_kind<Vector3>(), vertex_kind<Vector<double, 1>>(),
+          vertex_kind<Vector<double, I + 4>>()...};
 }
 
-template <class T>
-VertexKind kind() {
-  using V = Value<T>;
-  static_assert(V::kSize <= int{kMostNumbers});
-  return {
-      .name = V::kName,
-      .layout = V::kLayout,
-      .size = V::kSize,
-      .dim = Manifold<T>::kDim,
-      .pool = typeid(detail::TypedVertexPool<T>),
-      .is = &V::is,
-      .add = [](Graph& graph, py::handle estimate, std::optional<Id> id, bool is_parameter) -> VertexRef {
-        T value = V::from_python(estimate, "estimate");
-        if (is_parameter) return graph.add_parameter(std::move(value), id);
-        return graph.add_vertex(std::move(value), id);
-      },
-      .check_row = [](const double* row, RowName name) { static_cast<void>(V::from_row(row, name)); },
-      .add_row = [](Graph& graph, const double* row, std::optional<Id> id) -> VertexRef {
-        return graph.add_vertex(V::from_row(row, {}), id);
-      },
-      .estimate = [](const Graph& graph, VertexRef vertex) -> py::object {
-        return V::to_python(graph.estimate(VertexHandle<T>{vertex}));
-      },
-      .set_estimate =
-          [](Graph& graph, VertexRef vertex, py::handle estimate) {
-            graph.set_estimate(VertexHandle<T>{vertex}, V::from_python(estimate, "estimate"));
-          },
-      .get_row = [](const Graph& graph, VertexRef vertex,
-                    double* row) { V::to_row(graph.estimate(VertexHandle<T>{vertex}), row); },
-      .set_row = [](Graph& graph, VertexRef vertex,
-                    const double* row) { graph.set_estimate(VertexHandle<T>{vertex}, V::from_row(row, {})); },
-      .read =
-          [](const detail::VertexPool& pool, std::uint32_t slot, double* row) {
-            const T& x = static_cast<const detail::TypedVertexPool<T>&>(pool).value(slot);
-            if constexpr (std::is_same_v<T, SE3>) {  // quaternions from files have rounded digits
-              V::to_row(SE3(x.translation(), x.quaternion()), row);
-            } else {
-              V::to_row(x, row);
-            }
-          },
-      .step = [](const double* row, const double* delta,
-                 double* out) { V::to_row(Manifold<T>::oplus(V::from_row(row, {}), delta), out); },
-      .step_derivative = &step_derivative<T>,
-      .object_of_row = [](const double* row) { return V::to_python(V::from_row(row, {})); },
-  };
+void append(const std::vector<VertexKind>& kinds, std::vector<VertexKind>& all) {
+  all.insert(all.end(), kinds.begin(), kinds.end());
 }
 
 }  // namespace
 
 std::span<const VertexKind> vertex_kinds() {
-  static const VertexKind kinds[] = {kind<SE2>(),
-                                     kind<SE3>(),
-                                     kind<Vector2>(),
-                                     kind<Vector3>(),
-                                     kind<Vector<double, 1>>(),
-                                     kind<Vector<double, 4>>(),
-                                     kind<Vector<double, 5>>(),
-                                     kind<Vector<double, 6>>(),
-                                     kind<Vector<double, 7>>(),
-                                     kind<Vector<double, 8>>(),
-                                     kind<Vector<double, 9>>(),
-                                     kind<Vector<double, 10>>(),
-                                     kind<Vector<double, 11>>(),
-                                     kind<Vector<double, 12>>()};
+  static const auto kinds = [] {
+    std::vector<VertexKind> all{vertex_kind<SE2>(), vertex_kind<SE3>(), vertex_kind<SO2>(),
+                                vertex_kind<SO3>(), vertex_kind<S2>(),  vertex_kind<Sim3>()};
+    append(camera_vertex_kinds(), all);
+    append(vector_kinds(std::make_integer_sequence<int, int{kMostNumbers} - 3>()),
+           all);  // any list is a vector
+    return all;
+  }();
   return kinds;
 }
 
@@ -106,9 +54,12 @@ const VertexKind& kind_of_estimate(py::handle estimate) {
 }
 
 const VertexKind& kind_of_class(py::handle type, std::string_view name) {
-  const py::module_ package = py::module_::import("boxplus");
+  const bool is_class = py::isinstance<py::type>(type), is_tuple = py::isinstance<py::tuple>(type);
+  const py::dict names = py::module_::import("boxplus").attr("__dict__");
   for (const VertexKind& kind : vertex_kinds()) {
-    if (type.is(package.attr(std::string(kind.name).c_str()))) return kind;
+    if (!(kind.is_tuple ? is_tuple : is_class)) continue;
+    const std::string text(kind.name);  // "SE3", "(SE3, BalCamera)"
+    if (kind.is_tuple ? type.equal(py::eval(text, names)) : type.is(names[text.c_str()])) return kind;
   }
   throw_type_error(name, "one of the classes " + vertex_kind_names(), type);
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A table of the vertex types that Python knows. To add one, write Value<T> (values.h) and a row in
-// vertex_kinds.cpp.
+// vertex_kinds.cpp, and its class in bind_manifold.cpp or in a file of its own.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string_view>
 #include <typeindex>
+#include <vector>
 
 #include "boxplus/graph/graph.h"
 #include "convert.h"
@@ -18,6 +19,7 @@ struct VertexKind {
   std::string_view layout;  ///< of a row of numbers: "x y theta"
   int size;                 ///< the numbers of a row
   int dim;                  ///< of the tangent space
+  bool is_tuple;            ///< an estimate is a tuple, and `name` is a tuple of classes
   std::type_index pool;     ///< the type of the pool of its vertices
   bool (*is)(py::handle estimate);
   VertexRef (*add)(Graph&, py::handle estimate, std::optional<Id> id, bool is_parameter);
@@ -41,6 +43,8 @@ struct VertexKind {
 inline constexpr std::size_t kMostNumbers = 12;
 
 std::span<const VertexKind> vertex_kinds();
+/// A part of vertex_kinds(): cameras.
+std::vector<VertexKind> camera_vertex_kinds();
 /// "an SE2, an SE3, …"
 std::string vertex_kind_names();
 /// Throws TypeError if the estimate is of no kind.

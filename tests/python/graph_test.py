@@ -84,7 +84,7 @@ class Vertices(unittest.TestCase):
                 (ValueError, "vertex: expected an int of at most 64 bits", lambda: graph.estimate(2**70)),
                 (InvalidArgument, "", lambda: graph.estimate(other.vertex(0))),
                 (InvalidArgument, "", lambda: graph.add_vertex(SE2(), 0)),
-                (TypeError, "estimate: expected one of SE2, SE3, Vector2", lambda: graph.add_vertex(range(13))),
+                (TypeError, "estimate: expected one of SE2, SE3, SO2, SO3, S2, Sim3, BalCamera", lambda: graph.add_vertex(range(13))),
                 (TypeError, "estimate: expected an SE2, got SE3", lambda: graph.set_estimate(0, SE3()))):
             with self.subTest(text), self.assertRaises(error) as raised:
                 function()

@@ -12,7 +12,7 @@ PACKAGE = pathlib.Path(boxplus.__file__).parent
 # Modules of the package with names of their own; boxplus does not import plot.
 MODULES = ("plot", "rows")
 # Only for the stubs: aliases, and the base class of enumerations.
-STUB_ONLY = {"Array", "Ids", "Vertex", "Estimate", "VertexType", "Enum"}
+STUB_ONLY = {"Array", "Ids", "Vertex", "Camera", "Manifold", "Estimate", "VertexType", "Enum"}
 
 
 def names_in_stub(node):

@@ -21,8 +21,9 @@ RIGHT = """
 from typing import Any
 
 import numpy as np
-from boxplus import (SE2, SE3, BatchedEdge, Between, Graph, Optimizer, Options, PositionPrior, Prior, StopFlag, Vector2, Vector3,
-                     VertexRef, covariance, diagnose, find_outliers, load, optimize, plot, rows, se3_sigmas)
+from boxplus import (SE2, SE3, BalCamera, BatchedEdge, Between, Graph, Optimizer, Options, PinholeCamera, PositionPrior, Prior,
+                     Reprojection, Sim3, StopFlag, Vector2, Vector3, VertexRef, certify, covariance, diagnose, find_outliers, load,
+                     optimize, plot, rows, se3_sigmas)
 
 
 class Distance(BatchedEdge):
@@ -48,6 +49,11 @@ found, poses = graph.estimates(SE2)
 moved = rows.times(poses, poses)[:, 0] + covariance(graph, [a, 3]).of(a)[0, 0]
 point = SE3().inverse_times([1.0, 2.0, 3.0]) + (SE3() * SE3()).translation()
 plot.trajectory(graph)
+camera = graph.add_vertex(PinholeCamera(fx=500, fy=500, cx=320, cy=240))
+pixels = PinholeCamera(500, 500, 320, 240).project(np.ones((2, 3)))
+graph.add_edges(Reprojection, 3, ids, camera, measurements=pixels)
+scale: float = (Sim3() * Sim3()).scale() + graph.estimates((SE3, BalCamera))[1][0, 7] + certify(graph).bound
+graph.add_vertices(Sim3, None, np.ones((1, 8)))
 """
 
 WRONG = """
