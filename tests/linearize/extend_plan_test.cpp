@@ -65,6 +65,11 @@ class Growing {
       graph.remove(poses_[k]);
       poses_.erase(poses_.begin() + static_cast<std::ptrdiff_t>(k));
     }
+    std::erase_if(points_, [&](VertexHandle<Vector2> point) {  // of those that no pose sees any more
+      if (!graph.edges(point).empty()) return false;
+      graph.remove(point);
+      return true;
+    });
   }
   bool extend(const PlanRequest& request) {
     const bool done = is_extensible(graph, plan_) && extend_plan(graph, request, planned_, plan_);
