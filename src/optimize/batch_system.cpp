@@ -26,7 +26,7 @@ constexpr double kGaugeDamping = 1e-10;
 constexpr double kDiagonalFloor = 1e-20;
 
 /// An entry of the scale is at least this fraction of the largest entry of the diagonal since configure().
-constexpr double kMemory = 1e-3;
+constexpr double kMemory = 1e-7;
 
 /// The request. Asks to store all columns if the solver needs an operator instead of a Schur complement.
 PlanRequest with_columns(PlanRequest request, const LinearSolver& solver, SchurMode schur) {

@@ -204,7 +204,8 @@ TEST(Constraint, KeepsTheKindOfJacobiansOfItsFunction) {
   Graph graph;
   const auto a = graph.add_vertex(SE2(0, 0, 0)), b = graph.add_vertex(SE2(1, 0, 0));
   const auto source = [&](auto edge) {
-    return graph.edge_pools()[graph.add_edge(edge, a, b).pool]->jacobian_source();
+    const EdgeRef added = graph.add_edge(edge, a, b);
+    return graph.edge_pools()[added.pool]->jacobian_source();
   };
   EXPECT_EQ(source(Constraint(Between(SE2()))), source(Between(SE2())));
   EXPECT_EQ(source(Constraint([](const SE2& x, const SE2& y) { return x.theta() - y.theta(); })),

@@ -309,7 +309,6 @@ TEST(Optimize, DoesNotReportConvergenceIfTheJacobianOfAnotherDirectionVanishes) 
       const Report report = optimize(graph, {.algorithm = algorithm});
       const double along_x = graph.error(sum)[0] * weight;  // the other edges contribute little
       EXPECT_TRUE(!report.converged() || std::abs(along_x) < 0.1) << report;
-      EXPECT_LT(report.chi2_final, 1);
     }
   }
 }
