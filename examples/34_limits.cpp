@@ -30,7 +30,7 @@ int main() {
   // [/limits]
   // A mixture of 70 % of the first and 30 % of the second material. Noise suggests a negative share of the
   // third.
-  const double noise[] = {-0.008, 0.006, -0.011, 0.004, -0.009};
+  const double noise[] = {0.008, -0.006, 0.011, -0.004, 0.009};
   for (int k = 0; k < 5; ++k) {
     const Vector3 pure(0.1 + 0.15 * k, 0.8 - 0.1 * k, 0.5 + 0.1 * (k % 2));
     graph.add_edge(Band{pure, 0.7 * pure[0] + 0.3 * pure[1] + noise[k]}, 1e4, shares);

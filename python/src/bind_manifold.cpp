@@ -12,7 +12,7 @@ namespace {
 S2 direction_of(py::handle value) {
   const Vector3 v = vector_of<3>(value, "vector", "x y z");
   if (v.isZero(0)) throw_value_error("vector", "a vector that is not zero", value);
-  return S2(v);
+  return S2(v / v.lpNorm<Eigen::Infinity>());  // the square of a tiny or huge vector would not be finite
 }
 double positive(double value, const char* name) {
   if (!(value > 0) || !std::isfinite(value)) throw_value_error(name, "a positive number", py::float_(value));

@@ -38,7 +38,6 @@ void Constraints::begin(double chi2) {
   tolerance_ = kTolerance * std::max(1.0, violation_);
   const double balanced = kBalance * (chi2 - penalty) / penalty;
   set_weight(std::isfinite(balanced) ? std::clamp(balanced, kLeast, kMost) : kBalance);
-  best_ = violation_;
 }
 
 /// Sets the violation, and the multipliers for which the last run was at a minimum.

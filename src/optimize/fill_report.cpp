@@ -116,8 +116,6 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   if (report.robust_edges > 0 && !system.stopped())
     find_rejection(report.rejection, graph, system.plan(), system.linearizer().workers());
-  if (!system.bounds().empty() && report.scalars > 0 && !system.stopped() && system.linearize())
-    system.bounds().report(graph, system.plan(), report.active_bounds);
   if (result.status == Report::Status::kConverged && rejects_too_much(report.rejection)) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRejectedEdges;

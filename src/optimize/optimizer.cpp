@@ -201,7 +201,6 @@ RunResult Optimizer::Impl::minimize_with(Constraints& constraints, Algorithm& al
       return {Report::Status::kNotConverged, Report::Reason::kConstraints, result.chi2, result.iterations};
     }
     of_round.start = Start::kCurrent;
-    report.records.clear();
   }
 }
 
@@ -225,6 +224,8 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, const Options& of_run,
   report.regularized_steps = descent.regularized_steps();
   report.precise_steps = system.precise_steps();
   report.displaced_directions = descent.displaced_directions();
+  if (!system.bounds().empty() && !system.stopped() && system.linearize())
+    system.bounds().report(*graph, system.plan(), report.active_bounds);
   return result;
 }
 

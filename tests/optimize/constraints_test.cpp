@@ -57,6 +57,17 @@ TEST(Constraint, HoldsExactlyAtTheNearestPointOfACircle) {
   EXPECT_THAT(to_string(report), testing::HasSubstr("constraints"));
 }
 
+TEST(Constraint, HoldsIfTheStartSatisfiesItAndOtherEdgesAreHeavy) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector2(0.5, 0.5));
+  graph.add_edge([](const auto& p) { return (p - Vector2(3, 4)).eval(); }, 1e6, x);
+  graph.add_edge(Constraint([](const auto& p) { return p[0] + p[1] - 1.0; }), x);
+  const Report report = optimize(graph);
+  ASSERT_TRUE(report.converged()) << report;
+  EXPECT_NEAR((graph.estimate(x) - Vector2(0, 1)).norm(), 0, 1e-8);
+  EXPECT_NEAR(report.constraints[0].multipliers[0], 6e6, 1) << "2 · 1e6 (p − z) + λ = 0";
+}
+
 /// Hock and Schittkowski, "Test examples for nonlinear programming codes" (1981), problems 6, 42, 52 and 79.
 TEST(Constraint, GivesTheOptimaOfHockAndSchittkowski) {
   {
@@ -161,6 +172,22 @@ TEST(Constraint, WorksTogetherWithBounds) {
   EXPECT_EQ(graph.estimate(x)[0], 0.5);
   EXPECT_NEAR(graph.estimate(x)[1], 0.5, 1e-8);
   EXPECT_EQ(report.active_bounds.size(), 1u);
+}
+
+/// Without the constraint, chi2 would fall away from the limit.
+TEST(Constraint, CountsInTheMultipliersOfBounds) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector2(0.5, 0.5));
+  graph.add_edge([](const auto& p) { return (p - Vector2(0.2, 2)).eval(); }, x);
+  graph.add_edge(Constraint([](const auto& p) { return p[0] + p[1] - 1.0; }), x);
+  graph.set_bounds(x, 0, 0, 1);
+  const Report report = optimize(graph);
+  ASSERT_TRUE(report.converged()) << report;
+  EXPECT_EQ(graph.estimate(x)[0], 0);
+  ASSERT_EQ(report.active_bounds.size(), 1u) << report;
+  EXPECT_NEAR(report.active_bounds[0].multiplier, 1.6, 1e-6) << "λ = 2 (2 − 1); 2 (0 − 0.2) + λ = 1.6";
+  EXPECT_EQ(report.records.size(), static_cast<std::size_t>(report.iterations));
+  EXPECT_GT(report.iterations, 0);
 }
 
 TEST(Constraint, IsReportedIfItCannotHold) {

@@ -66,6 +66,8 @@ class Manifold(unittest.TestCase):
 
     def test_a_direction_has_length_1_and_a_tangent_of_two_angles(self):
         np.testing.assert_allclose(S2([0, 3, 4]).vector(), [0, 0.6, 0.8], atol=1e-15)
+        for length in (1e-200, 1e200):
+            np.testing.assert_allclose(S2([0, 3 * length, 4 * length]).vector(), [0, 0.6, 0.8], atol=1e-15)
         moved = S2([0, 3, 4]).oplus([0.3, 0.4])
         self.assertAlmostEqual(np.linalg.norm(moved.vector()), 1)
         self.assertAlmostEqual(np.arccos(moved.vector() @ [0, 0.6, 0.8]), 0.5)

@@ -12,7 +12,7 @@ std::string verdicts_text(const OutlierReport& found) {
                     undecided = found.count(Verdict::kUndecided);
   const char* const kind = found.suspects == Suspects::kAll ? "edge" : "loop closure";
   std::string text = fmt::format("{} of {} {}{} {} false", outliers, all, kind, all == 1 ? "" : "s",
-                                 outliers == 1 ? "is" : "are");
+                                 outliers == 1 || all == 1 ? "is" : "are");
   if (undecided > 0) text += fmt::format(", and {} {} undecided", undecided, undecided == 1 ? "is" : "are");
   return text;
 }
