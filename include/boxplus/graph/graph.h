@@ -138,17 +138,14 @@ class Graph {
   /// any vertex.
   std::span<const int> fixed_directions(VertexRef vertex) const;
 
-  /// Keeps an entry of an estimate within limits: lower ≤ entry ≤ upper. Entries are numbered as in the
-  /// tangent, from 0. Each must be a number to which ⊞ adds: any entry of a number, a vector or a camera, and
-  /// such a part of a Product. ±∞ means no limit. Equal limits hold the entry.
-  ///
-  /// optimize() first moves estimates that are outside to the nearest limit, and then finds a minimum within
-  /// the limits. Report::active_bounds names the limits at which the result is, with their multipliers. The
-  /// limits do not restrict set_estimate(). Throws InvalidArgument if the vertex has no such entry, if a
-  /// limit is NaN, or unless the limits contain a finite number.
+  /// Keeps an entry of an estimate, numbered as in the tangent, within limits: lower ≤ entry ≤ upper. It must
+  /// be a number to which ⊞ adds: an entry of a number, a vector or a camera, also in a Product. ±∞ means no
+  /// limit. optimize() first moves estimates that are outside to the nearest limit, and then finds a minimum
+  /// within the limits. Report::active_bounds names the limits at which the result is, with their
+  /// multipliers. Throws InvalidArgument if there is no such entry, if a limit is NaN, or if no finite number
+  /// is within the limits.
   void set_bounds(VertexRef vertex, int entry, double lower, double upper);
-  /// The bounds in ascending order of entries. The span is valid until the next call of set_bounds() for any
-  /// vertex.
+  /// The bounds in ascending order of entries. The span is valid until the next call of set_bounds().
   std::span<const detail::Bound> bounds(VertexRef vertex) const;
 
   /// Marks a vertex to be eliminated first, by the Schur complement (such as a point in bundle adjustment).

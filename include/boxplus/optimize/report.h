@@ -137,8 +137,8 @@ struct [[nodiscard]] Report {
   RejectionReport rejection;
   std::vector<IterationRecord> records;    ///< one for each of these iterations
   std::vector<ActiveBound> active_bounds;  ///< in the order of the plan
-  /// The enabled active constraints. F includes their eᵀΩe, which vanish at the result. The records are those
-  /// of the last of `constraint_rounds` runs, in whose chi2 the constraints have larger weights.
+  /// The enabled active constraints. F includes their eᵀΩe, which vanish at the result. `records` has the
+  /// iterations of all rounds; in the chi2 of these, the constraints have larger weights.
   std::vector<ConstraintResult> constraints;
   double constraint_violation = 0;  ///< the largest |error| of these constraints
   int constraint_rounds = 0;        ///< the number of runs; 0 if there are no constraints
