@@ -12,6 +12,17 @@
 
 namespace boxplus {
 
+namespace detail {
+/// The result of an error function. Has no Type if E cannot be called.
+template <class E, class... A>
+struct ErrorOf {};
+template <class E, class... A>
+requires Callable<E, A...>
+struct ErrorOf<E, A...> {
+  using Type = std::remove_cvref_t<typename UnevaluatedResult<E, A...>::Type>;
+};
+}  // namespace detail
+
 /// An edge whose error must be zero exactly, and not only as small as its weight makes it:
 ///
 ///     graph.add_edge(Constraint([](const auto& a, const auto& b) { return b - a - 1.0; }), a, b);
@@ -40,9 +51,7 @@ struct Constraint {
   explicit Constraint(E error_function) : function(std::move(error_function)) {}
 
   template <class... X>
-  requires detail::Callable<E, const X&...>
-      std::remove_cvref_t<typename detail::UnevaluatedResult<E, const X&...>::Type> error(const X&... x)
-  const {
+  typename detail::ErrorOf<E, const X&...>::Type error(const X&... x) const {
     auto result = detail::evaluate(function, x...);
     for (std::size_t i = 0; i < shift.size(); ++i) {
       if constexpr (requires { result.size(); }) {
