@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the graph of a COLMAP model has the poses of the images.
+// The places of image poses in the graph of a COLMAP model.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct PosePlace {
   SE3 T_world_camera() const { return offset ? T_world_rig * T_rig_camera : T_world_rig; }
 };
 
-/// Of all images, in the order of the model. All images of a model with frames must be in frames.
+/// The places for all images, in the order of the model. All images of a model with frames must be in frames.
 std::vector<PosePlace> pose_places(const SparseModel& model);
 
 }  // namespace boxplus
