@@ -24,17 +24,19 @@ ALLOWED = {
     "robust": "base",
     "graph": "base kernels manifold autodiff robust",
     "linear": "base kernels",
-    "linearize": "base kernels manifold autodiff robust graph linear",
-    "optimize": "base manifold autodiff robust graph linear linearize",
+    "gauge": "base manifold autodiff robust graph",
+    "plan": "base manifold autodiff robust graph linear gauge",
+    "linearize": "base kernels manifold autodiff robust graph linear plan",
+    "optimize": "base manifold autodiff robust graph linear gauge plan linearize",
     "types": "base kernels manifold autodiff robust graph optimize",
     "io": "base manifold autodiff robust graph optimize types",
     "trajectory": "base manifold autodiff robust graph optimize types io",
-    "action": "base manifold autodiff robust graph linear linearize optimize types io",
-    "plugin": "base manifold autodiff robust graph linear linearize optimize types io action",
+    "action": "base manifold autodiff robust graph linear gauge plan linearize optimize types io",
+    "plugin": "base manifold autodiff robust graph linear gauge plan linearize optimize types io action",
     # A library of its own.
-    "viewer": "base manifold autodiff robust graph linear linearize optimize types io trajectory",
+    "viewer": "base manifold autodiff robust graph linear gauge plan linearize optimize types io trajectory",
     # Checkers and simulators with which users test their own types.
-    "testing": "base manifold autodiff robust graph linear linearize optimize types",
+    "testing": "base manifold autodiff robust graph linear gauge plan linearize optimize types",
 }
 LIBRARY = set(ALLOWED) - {"testing", "viewer"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus::bench {
 namespace {

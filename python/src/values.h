@@ -13,7 +13,6 @@
 #include <tuple>
 #include <utility>
 
-#include "boxplus/graph/type_name.h"
 #include "boxplus/io/file_fields.h"
 #include "boxplus/manifold/product.h"
 #include "boxplus/manifold/s2.h"
@@ -22,28 +21,7 @@
 #include "boxplus/manifold/sim3.h"
 #include "boxplus/manifold/so2.h"
 #include "boxplus/manifold/so3.h"
-#include "boxplus/types/type_label.h"
 #include "convert.h"
-
-namespace boxplus::detail {
-// Their headers give them no kName.
-template <>
-constexpr std::string_view short_name<S2>() {
-  return "S2";
-}
-template <>
-constexpr std::string_view short_name<Sim3>() {
-  return "Sim3";
-}
-template <>
-inline std::string_view type_name<S2>() {
-  return "S2";
-}
-template <>
-inline std::string_view type_name<Sim3>() {
-  return "Sim3";
-}
-}  // namespace boxplus::detail
 
 namespace boxplus::python {
 

@@ -179,12 +179,6 @@ void accumulate_large(const EdgeSystem& edge, const detail::InformationView& inf
 
 }  // namespace
 
-std::size_t dense_scratch(int rows, int cols) {
-  constexpr int kFewest = 24;  // the fewest rows and columns for which the dense kernels are faster
-  if (std::min(rows, cols) < kFewest) return 0;
-  return static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows + cols);
-}
-
 EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   if (kernel == nullptr) return {};
   const RobustKernel::Rho rho = (*kernel)(e2);

@@ -7,7 +7,8 @@
 #include <span>
 
 #include "boxplus/graph/information.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
+#include "plan/dense_scratch.h"
 
 namespace boxplus {
 
@@ -28,10 +29,6 @@ struct EdgeSystem {
   const double* error;
   const double* jacobian;  ///< rows × cols, column-major
 };
-
-/// The number of scratch values that accumulate() needs to use the dense kernels for an edge of this size. It
-/// is 0 if these kernels are not faster for this size.
-std::size_t dense_scratch(int rows, int cols);
 
 /// Adds the edge to H (`values`) and to the gradient, at the places that `targets` lists. `weighted`,
 /// `weighted_error` and `dense` are scratch memory for rows · cols, rows + cols and dense_scratch() values.

@@ -3,7 +3,7 @@
 
 #include "linearize/accumulate.h"
 #include "linearize/edge_rows.h"
-#include "linearize/fixed_directions.h"
+#include "plan/fixed_directions.h"
 
 namespace boxplus {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 namespace {

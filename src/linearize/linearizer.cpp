@@ -10,9 +10,9 @@
 #include "boxplus/base/large_pages.h"
 #include "boxplus/base/parallel.h"
 #include "linearize/accumulate.h"
-#include "linearize/fixed_directions.h"
 #include "linearize/pairwise_sum.h"
 #include "linearize/tile_memory.h"
+#include "plan/fixed_directions.h"
 
 namespace boxplus {
 namespace {
@@ -83,23 +83,23 @@ void Linearizer::extend() {
 }
 
 /// Calls f for each chunk until it returns false: then, the token was raised. One worker runs all chunks of a
-/// group, in order.
-void Linearizer::for_each_chunk(int groups, detail::FunctionRef<bool(const Chunk&, int, TileMemory&)> f) {
+/// slice, in order.
+void Linearizer::for_each_chunk(int slices, detail::FunctionRef<bool(const Chunk&, int, TileMemory&)> f) {
   stopped_ = false;
-  const int threads = std::min(workers(), groups), chunks = static_cast<int>(plan_->chunks.size());
+  const int threads = std::min(workers(), slices), chunks = static_cast<int>(plan_->chunks.size());
   detail::parallel_tasks(threads, [&](int worker) {
-    for (int group = groups * worker / threads; group < groups * (worker + 1) / threads; ++group) {
-      for (int c = chunks * group / groups; c < chunks * (group + 1) / groups; ++c) {
-        if (!f(plan_->chunks[static_cast<std::size_t>(c)], group, memory_[static_cast<std::size_t>(worker)]))
+    for (int slice = slices * worker / threads; slice < slices * (worker + 1) / threads; ++slice) {
+      for (int c = chunks * slice / slices; c < chunks * (slice + 1) / slices; ++c) {
+        if (!f(plan_->chunks[static_cast<std::size_t>(c)], slice, memory_[static_cast<std::size_t>(worker)]))
           return void(stopped_ = true);
       }
     }
   });
 }
 
-void Linearizer::linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch) {
-  for_each_chunk(groups, [&](const Chunk& chunk, int group, TileMemory& memory) {
-    return linearize_chunk(chunk, memory, options, group, after_batch);
+void Linearizer::linearize(const LinearizeOptions& options, int slices, AfterBatch after_batch) {
+  for_each_chunk(slices, [&](const Chunk& chunk, int slice, TileMemory& memory) {
+    return linearize_chunk(chunk, memory, options, slice, after_batch);
   });
   if (stopped_) return;
   add_copies();
@@ -115,7 +115,7 @@ double* Linearizer::batch_values(const Chunk& chunk, std::uint32_t first_column)
 
 /// Linearizes the edges of a chunk. Returns false if the token was raised.
 bool Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options,
-                                 int group, AfterBatch after_batch) {
+                                 int slice, AfterBatch after_batch) {
   PacedStop pace(stop_, kEdgesBetweenStops);
   if (!clear_unbatched(chunk, pace)) return false;
   std::uint32_t column = chunk.first_column, run = 0;
@@ -123,7 +123,7 @@ bool Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
     double* const values = batch_values(chunk, column);
     clear_columns(column, batch.end_column, values);
     if (!linearize_runs(chunk, run, batch.end_run, memory, options, pace)) return false;
-    after_batch({group, column, batch.end_column, values});
+    after_batch({slice, column, batch.end_column, values});
     column = batch.end_column;
     run = batch.end_run;
   }
@@ -245,9 +245,9 @@ void Linearizer::add_one_by_one(const detail::EdgePool& pool, std::span<const st
   }
 }
 
-void Linearizer::subtract_coupling(const LinearizeOptions& options, int groups, double* x,
+void Linearizer::subtract_coupling(const LinearizeOptions& options, int slices, double* x,
                                    AfterBatch after_batch) {
-  for_each_chunk(groups, [&](const Chunk& chunk, int group, TileMemory& memory) {
+  for_each_chunk(slices, [&](const Chunk& chunk, int slice, TileMemory& memory) {
     PacedStop pace(stop_, kEdgesBetweenStops);
     std::uint32_t column = chunk.first_column, run = 0;
     for (const Chunk::Batch& batch : chunk.batches) {
@@ -257,7 +257,7 @@ void Linearizer::subtract_coupling(const LinearizeOptions& options, int groups, 
         };
         if (!multiply_run(chunk, chunk.runs[run], memory, options, pace, subtract)) return false;
       }
-      after_batch({group, column, batch.end_column, nullptr});
+      after_batch({slice, column, batch.end_column, nullptr});
       column = batch.end_column;
     }
     return true;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 #include "linearize/jacobian_products.h"
 #include "linearize/tile_adder.h"
 

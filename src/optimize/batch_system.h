@@ -12,12 +12,14 @@
 #include "boxplus/optimize/report.h"
 #include "boxplus/optimize/system.h"
 #include "linear/schur/schur_solver.h"
-#include "linearize/extend_plan.h"
 #include "optimize/bounds.h"
 #include "optimize/call_order.h"
 #include "optimize/estimates.h"
-#include "optimize/gauge_treatment.h"
+#include "optimize/gauge_removal.h"
 #include "optimize/precise_solver.h"
+#include "optimize/step_diagonal.h"
+#include "optimize/streamed_elimination.h"
+#include "plan/extend_plan.h"
 
 namespace boxplus {
 
@@ -40,8 +42,8 @@ class BatchSystem final : public System {
   void expect(const StepDamping& damping) override { expected_ = damping; }
   bool linearize() override;
   std::span<const double> gradient() const override { return gradient_; }
-  std::span<const double> diagonal() const override { return diagonal_; }
-  std::span<const double> scale() const override { return scale_; }
+  std::span<const double> diagonal() const override { return diagonal_.diagonal(); }
+  std::span<const double> scale() const override { return diagonal_.scale(); }
   double curvature(std::span<const double> d) override;
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   bool clip(std::span<double> step) const override { return bounds_.clip(step); }
@@ -58,15 +60,15 @@ class BatchSystem final : public System {
   /// every case.
   void set_precise(bool precise) { is_precise_ = precise; }
   /// The number of steps that were computed in double-double since configure().
-  int precise_steps() const { return precise_steps_; }
+  int precise_steps() const { return precise_.steps(); }
   /// The number of further steps in double-double that take about two seconds together with those since
   /// configure(). 0 if a single one takes longer. Analyzes the structure if this has not been done before.
-  int affordable_precise_steps();
+  int affordable_precise_steps() { return precise_.affordable_steps(); }
   /// Whether solve() damps H because of the gauge, even if λ = 0.
-  bool damps_gauge() const { return gauge_fraction() > 0; }
+  bool damps_gauge() const { return gauge_.fraction() > 0; }
   /// Throws InvalidArgument if an algorithm ended without accept() or reject() after its last try_step().
   void expect_no_trial() const { order_.expect_no_trial("Algorithm::iterate"); }
-  void begin_iteration() { accepted_.reset(); }
+  void begin_iteration() { order_.begin_iteration(); }
   /// Fills chi2, chi2_decrease, step_max and gradient_max for the last step that was accepted since
   /// begin_iteration(). `chi2` is the cost before the iteration. Throws InvalidArgument if there is no such
   /// step.
@@ -84,9 +86,9 @@ class BatchSystem final : public System {
   /// estimates to find out.
   bool is_free();
   /// Returns false after a step has shown that edges measure a motion that the plan considers free.
-  bool gauge_is_free() const { return learned_.holds; }
+  bool gauge_is_free() const { return gauge_.learned().holds; }
   /// The number of directions that are held because their pivots vanished (Plan::loose_blocks).
-  int held_directions() const { return static_cast<int>(learned_.lost_scalars.size()); }
+  int held_directions() const { return static_cast<int>(gauge_.learned().lost_scalars.size()); }
   /// The vertex whose block was not positive definite in the last failed solve().
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
   const LinearizeOptions& linearize_options() const { return linearize_options_; }
@@ -109,29 +111,21 @@ class BatchSystem final : public System {
   bool stores_all_columns() const { return plan_->columns == ColumnStorage::kAll; }
   bool may_eliminate_early() const;
   void linearize_and_eliminate(const StepDamping& damping);
-  bool depends_on_floor(const StepDamping& damping, double a, double b) const;
-  void eliminate_batches(const Damping& damping, Linearizer::AfterBatch before);
   bool is_uniform(const StepDamping& damping) const;
-  double gauge_fraction() const;
-  void fill_damping(const StepDamping& damping, double floor, std::uint32_t first, std::uint32_t last);
-  void hold_scalars(const StepDamping& damping, double floor);
-  double diagonal_floor() const;
+  void hold_scalars(const StepDamping& damping);
   Damping full_damping(const StepDamping& damping);
   StepResult solve_within_bounds(const StepDamping& damping, std::span<double> step);
-  void keep_within_bounds(StepResult& result, std::span<double> step);
   StepResult solve_without_gauge(const StepDamping& damping, std::span<double> step);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
-  bool is_stiff();
   StepResult solve_precisely(const StepDamping& damping, std::span<double> step);
-  bool has_other_types() const;
-  bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
+  bool held_are_free(const StepDamping& damping, std::span<const double> step) const;
   StepResult factorize_and_solve(const StepDamping& damping, std::span<double> step);
   FactorResult factorize(const StepDamping& damping);
   SolveResult solve_factorized(std::span<double> step);
-  void note_failure(std::uint32_t block, std::uint32_t scalar);
-  void expect_size(std::span<const double> vector, const char* function) const;
+  StepResult failed(LinearStatus status, std::uint32_t block, std::uint32_t scalar);
   void take_back_step();
   AnalyzeHints hints() const;
+  SolveControl control_with_right_hand_side() const;
   void resize_vectors();
 
   Graph* graph_;
@@ -140,33 +134,26 @@ class BatchSystem final : public System {
   Linearizer linearizer_;
   AssembledSystem assembled_;
   SchurSolver solver_;
+  StreamedElimination streamed_;
+  GaugeRemoval gauge_;
+  StepDiagonal diagonal_;
   CallOrder order_;
-  std::vector<double> gradient_, diagonal_, right_hand_side_, damping_, scale_;
-  std::vector<double> largest_diagonal_;  // since configure()
-  std::vector<double> product_;           // of curvature(), if all columns are stored
+  std::vector<double> gradient_, right_hand_side_;
+  std::vector<double> product_;  // of curvature(), if all columns are stored
   std::vector<std::uint32_t> elimination_bounds_;
-  std::vector<double> elimination_s_;       // per slice
   Trial trial_;                             // the last one
-  std::optional<Trial> accepted_;           // in this iteration, the last one
+  Trial accepted_;                          // the last one that was accepted
   std::optional<StepDamping> expected_;     // of the solve() after the next linearize()
   std::optional<Elimination> elimination_;  // of the current H
-  double floor_ = 0;                        // diagonal_floor() of the last linearization
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
-  GaugePolicy gauge_ = GaugePolicy::kFixFirst;
-  GaugeTreatment learned_;    // in this run, for the next linearization
-  GaugeTreatment initial_;    // of each solve() after the last linearization
-  GaugeTreatment treatment_;  // of the current solve()
   Bounds bounds_;
-  std::vector<double> bounded_step_;  // scratch memory; empty if there are no bounds
-  double last_chi2_ = 0;              // of the last chi2()
-  double model_chi2_ = 0;             // at the estimates of the last linearization
+  double last_chi2_ = 0;   // of the last chi2()
+  double model_chi2_ = 0;  // at the estimates of the last linearization
   double step_in_deviations_ = 0;
   PreciseSolver precise_;
   bool is_precise_ = false;
-  int precise_steps_ = 0;
-  std::optional<bool> is_stiff_;  // at the estimates of the last linearization, once it is known
-  bool stopped_ = false;          // of stopped()
-  bool is_complete_ = false;      // whether the last linearization was not stopped
+  bool stopped_ = false;      // of stopped()
+  bool is_complete_ = false;  // whether the last linearization was not stopped
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;

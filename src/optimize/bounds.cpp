@@ -30,6 +30,7 @@ void Bounds::read(const Graph& graph, const Plan& plan) {
     }
   }
   snap(graph);
+  scratch_.resize(empty() ? 0 : plan.scalars());
 }
 
 void Bounds::find_active(const Graph& graph, std::span<double> gradient, std::span<double> right_hand_side) {
@@ -49,7 +50,7 @@ bool Bounds::find_blocked(std::span<const double> step) {
   const std::size_t before = held_;
   for (Item& item : items_) {
     if (item.state != State::kFree) continue;
-    const double whole = step[item.scalar], possible = clipped(item, whole);
+    const double whole = step[item.scalar], possible = clipped_entry(item, whole);
     if (possible == whole || std::abs(possible) > kAlmostAtOnce * std::abs(whole)) continue;
     item.state = State::kBlocked;
     item.distance = possible;
@@ -66,16 +67,17 @@ void Bounds::forget_blocked() {
   }
 }
 
+/// The largest fraction of the step, at most 1, for which no entry leaves its limits.
 double Bounds::longest_fraction(std::span<const double> step) const {
   double fraction = 1;
   for (const Item& item : items_) {
-    const double whole = step[item.scalar], possible = clipped(item, whole);
+    const double whole = step[item.scalar], possible = clipped_entry(item, whole);
     if (possible != whole) fraction = std::min(fraction, possible / whole);
   }
   return fraction;
 }
 
-double Bounds::clipped(const Item& item, double step) {
+double Bounds::clipped_entry(const Item& item, double step) {
   return std::clamp(step, std::min(0.0, item.bound.lower - item.value),
                     std::max(0.0, item.bound.upper - item.value));
 }
@@ -84,13 +86,14 @@ bool Bounds::clip(std::span<double> step) const {
   bool clips = false;
   for (const Item& item : items_) {
     double& entry = step[item.scalar];
-    const double possible = clipped(item, entry);
+    const double possible = clipped_entry(item, entry);
     clips |= possible != entry;
     entry = possible;
   }
   return clips;
 }
 
+/// Sets the steps of blocked entries to those that lead to their limits. Returns whether any is not zero.
 bool Bounds::move_blocked(std::span<double> step) const {
   bool moves = false;
   for (const Item& item : items_) {
@@ -99,6 +102,24 @@ bool Bounds::move_blocked(std::span<double> step) const {
     moves |= item.distance != 0;
   }
   return moves;
+}
+
+std::span<const double> Bounds::clipped(std::span<const double> step) {
+  std::ranges::copy(step, scratch_.begin());
+  clip(scratch_);
+  return scratch_;
+}
+
+bool Bounds::keep_within(std::span<double> step,
+                         detail::FunctionRef<double(std::span<const double>)> decrease) {
+  const double fraction = longest_fraction(step);
+  const bool moves = move_blocked(step);
+  if (fraction == 1) return moves;
+  std::ranges::transform(step, scratch_.begin(), [&](double entry) { return fraction * entry; });
+  move_blocked(scratch_);
+  clip(step);
+  if (!(decrease(step) >= decrease(scratch_))) std::ranges::copy(scratch_, step.begin());
+  return true;
 }
 
 void Bounds::snap(const Graph& graph) const {

@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/base/function_ref.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 
@@ -39,12 +40,15 @@ class Bounds {
     }
   }
 
-  /// The largest fraction of the step, at most 1, for which no entry leaves its limits.
-  double longest_fraction(std::span<const double> step) const;
   /// Shortens each entry of the step that leaves its limits. Returns whether there are any.
   bool clip(std::span<double> step) const;
-  /// Sets the steps of blocked entries to those that lead to their limits. Returns whether any is not zero.
-  bool move_blocked(std::span<double> step) const;
+  /// A copy of the step after clip(), valid until the next call of a function that is not const.
+  std::span<const double> clipped(std::span<const double> step);
+  /// Sets the steps of blocked entries to those that lead to their limits. If the step then leaves the
+  /// limits, shortens it: either only the entries that do so, or the whole step, which always lowers the
+  /// model of chi2. Takes the better of both, by means of decrease(step), the decrease of the model. Returns
+  /// whether the step has changed.
+  bool keep_within(std::span<double> step, detail::FunctionRef<double(std::span<const double>)> decrease);
   /// To be called after x ← x ⊞ step with a clipped step: entries that are outside by rounding errors move to
   /// their limits, so that they are exactly there.
   void snap(const Graph& graph) const;
@@ -63,10 +67,13 @@ class Bounds {
     State state = State::kFree;
   };
 
-  static double clipped(const Item& item, double step);
+  static double clipped_entry(const Item& item, double step);
+  double longest_fraction(std::span<const double> step) const;
+  bool move_blocked(std::span<double> step) const;
 
   std::vector<Item> items_;
   std::size_t held_ = 0;
+  std::vector<double> scratch_;  // a step; empty if there are no bounds
 };
 
 }  // namespace boxplus

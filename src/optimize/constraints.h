@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "linear/inverse_blocks.h"
-#include "linearize/fixed_directions.h"
 #include "optimize/covariance_references.h"
 #include "optimize/covariance_system.h"
+#include "plan/fixed_directions.h"
 
 namespace boxplus {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "linearize/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace boxplus {
 namespace {

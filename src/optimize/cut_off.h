@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

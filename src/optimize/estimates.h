@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "boxplus/linearize/plan.h"
 #include "boxplus/optimize/options.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

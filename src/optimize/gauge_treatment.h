@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

@@ -2,34 +2,64 @@
 #include "optimize/precise_solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "linearize/stiff_edge.h"
 
 namespace boxplus {
 
-void PreciseSolver::analyze(const Plan& plan, const StopToken& stop) {
-  if (!analyzed_) cholesky_.analyze(plan.structure, plan.loose_blocks, stop);
+void PreciseSolver::configure(const LinearizeOptions& options, const StopToken& stop) {
+  options_ = options;
+  stop_ = stop;
+  steps_ = 0;
+}
+
+void PreciseSolver::forget() {
+  linearized_ = false;
+  is_stiff_.reset();
+}
+
+void PreciseSolver::forget_plan() {
+  forget();
+  analyzed_ = false;
+}
+
+bool PreciseSolver::is_stiff() {
+  if (!is_stiff_) is_stiff_ = find_stiff_edge(*graph_, *plan_, options_, kStiffRatio, stop_).has_value();
+  return *is_stiff_;
+}
+
+void PreciseSolver::analyze() {
+  if (!analyzed_) cholesky_.analyze(plan_->structure, plan_->loose_blocks, stop_);
   analyzed_ = true;
 }
 
-double PreciseSolver::multiplications(const Plan& plan, const StopToken& stop) {
+/// The number of multiplications with 32 digits in one solve(). Infinite if the token is raised.
+double PreciseSolver::multiplications() {
   try {
-    analyze(plan, stop);
+    analyze();
     return cholesky_.multiplications();
   } catch (const Stopped&) {
     return std::numeric_limits<double>::infinity();
   }
 }
 
-FactorResult PreciseSolver::solve(const Graph& graph, const Plan& plan, const LinearizeOptions& options,
-                                  const Damping& damping, const StopToken& stop, std::span<double> step) {
+int PreciseSolver::affordable_steps() {
+  constexpr double kMostMultiplications = 1e8;
+  const double steps = std::floor(kMostMultiplications / std::max(multiplications(), 1.0)) - steps_;
+  return static_cast<int>(std::clamp(steps, 0.0, 1e9));
+}
+
+FactorResult PreciseSolver::solve(const Damping& damping, std::span<double> step) {
   try {
-    analyze(plan, stop);
-    if (!linearized_) linearize_in_double_double(graph, plan, options, stop, system_);
+    analyze();
+    if (!linearized_) linearize_in_double_double(*graph_, *plan_, options_, stop_, system_);
     linearized_ = true;
   } catch (const Stopped&) {
     return {LinearStatus::kStopped};
   }
-  const FactorResult factor = cholesky_.factorize(system_.values, damping, stop);
+  const FactorResult factor = cholesky_.factorize(system_.values, damping, stop_);
   if (factor.status != LinearStatus::kOk) return factor;
   solution_.resize(step.size());
   std::transform(system_.gradient.begin(), system_.gradient.end(), solution_.begin(),
@@ -37,6 +67,7 @@ FactorResult PreciseSolver::solve(const Graph& graph, const Plan& plan, const Li
   cholesky_.solve(solution_);
   std::transform(solution_.begin(), solution_.end(), step.begin(),
                  [](const DoubleDouble& entry) { return static_cast<double>(entry); });
+  ++steps_;
   return factor;
 }
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "boxplus/linearize/plan.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

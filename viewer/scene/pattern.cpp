@@ -8,7 +8,7 @@
 #include <span>
 
 #include "boxplus/base/error.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 #include "linear/block_cholesky/elimination_tree.h"
 #include "linear/ordering/amd_ordering.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 #include "info/graph_facts.h"
 
 namespace boxplus::app {

@@ -9,7 +9,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/data.h"
 #include "boxplus/io/registry.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 #include "info/components.h"
 #include "optimize/optimize_run.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxplus/base/function_ref.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 
@@ -38,29 +38,29 @@ class Linearizer {
   Linearizer(const Graph& graph, const Plan& plan);
   ~Linearizer();
 
-  /// Adapts to the plan after extend_plan() (src/linearize/extend_plan.h). Allocates.
+  /// Adapts to the plan after extend_plan() (src/plan/extend_plan.h). Allocates.
   void extend();
 
   void linearize(const LinearizeOptions& options) {
     linearize(options, static_cast<int>(plan_->chunks.size()), [](const Batch&) {});
   }
   /// A batch of eliminated vertices, whose columns of H are [first, last). `values` is the address of the
-  /// first value of these columns. The chunks are divided into groups. One worker runs all chunks of a group,
-  /// in order.
+  /// first value of these columns. A slice is a range of chunks. One worker runs all chunks of a slice, in
+  /// order.
   struct Batch {
-    int group;
+    int slice;
     std::uint32_t first, last;
     const double* values;
   };
   using AfterBatch = detail::FunctionRef<void(const Batch&)>;
-  /// The same. Divides the chunks into `groups` ranges. Calls after_batch() when the columns of a batch are
+  /// The same. Divides the chunks into `slices` ranges. Calls after_batch() when the columns of a batch are
   /// complete in H and in the gradient, while they are in the cache. With ColumnStorage::kBatch, their values
   /// are then lost.
-  void linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch);
+  void linearize(const LinearizeOptions& options, int slices, AfterBatch after_batch);
   /// Let W be the rows of kept vertices in the columns of eliminated vertices. Sets x_e −= Wᵀ x_k, for the
   /// parts x_e and x_k of x that belong to eliminated and to kept vertices. Computes Jacobians instead of
   /// reading H. Calls after_batch() when the part of x of each batch is complete; values are null.
-  void subtract_coupling(const LinearizeOptions& options, int groups, double* x, AfterBatch after_batch);
+  void subtract_coupling(const LinearizeOptions& options, int slices, double* x, AfterBatch after_batch);
   /// dᵀHd. Computes Jacobians instead of reading H. Must not be called with options.triggs_correction.
   double curvature(const LinearizeOptions& options, const double* d);
   /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not finite.
@@ -83,8 +83,8 @@ class Linearizer {
   int workers() const { return plan_->workers; }
 
  private:
-  void for_each_chunk(int groups, detail::FunctionRef<bool(const Chunk&, int group, TileMemory&)> f);
-  bool linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options, int group,
+  void for_each_chunk(int slices, detail::FunctionRef<bool(const Chunk&, int slice, TileMemory&)> f);
+  bool linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options, int slice,
                        AfterBatch after_batch);
   double* batch_values(const Chunk& chunk, std::uint32_t first_column) const;
   bool clear_unbatched(const Chunk& chunk, PacedStop& pace);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iosfwd>
+#include <string_view>
 
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/angle.h"
@@ -19,6 +20,7 @@ template <class S>
 class BasicS2 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName = "S2";
 
   /// The direction of the z axis.
   BasicS2() : coefficients_{S(0), S(0), S(1)} {}

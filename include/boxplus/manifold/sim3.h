@@ -4,6 +4,7 @@
 
 #include <array>
 #include <iosfwd>
+#include <string_view>
 
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/rotation_charts.h"
@@ -18,6 +19,7 @@ class BasicSim3 {
  public:
   using Scalar = S;
   using Quaternion = detail::Quaternion<S>;
+  static constexpr std::string_view kName = "Sim3";
 
   /// The identity.
   BasicSim3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1), S(1)} {}

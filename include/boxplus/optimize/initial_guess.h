@@ -21,7 +21,7 @@
 
 #include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

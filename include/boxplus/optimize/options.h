@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "boxplus/gauge/gauge.h"
 #include "boxplus/graph/handle.h"
 #include "boxplus/linear/linear_solver_kind.h"
-#include "boxplus/linearize/gauge.h"
 #include "boxplus/optimize/verdict.h"
 
 namespace boxplus {

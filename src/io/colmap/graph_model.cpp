@@ -12,6 +12,7 @@
 #include "boxplus/io/graph_file.h"
 #include "io/bal/bal_axes.h"
 #include "io/colmap/graph_roles.h"
+#include "io/colmap/image_sizes.h"
 #include "io/colmap/model_frames.h"
 #include "io/colmap/model_reader.h"
 #include "io/colmap/pose_places.h"
@@ -36,38 +37,6 @@ void set_pose(Image& image, const SE3& T_world_camera) {
   const SparseModel::Pose pose = pose_in_file(T_world_camera);
   image.rotation = pose.rotation;
   image.translation = pose.translation;
-}
-
-/// The smallest integer ≥ `least` of a size that images can have.
-double image_size(double least) {
-  return std::clamp(std::ceil(least), 1.0, 1e9);
-}
-
-/// Makes an image large enough for its features, which are relative to the center of the image, and turns
-/// their y axis.
-void move_center(Camera& camera, Image& image) {
-  std::array<double, 2> center{1, 1};
-  for (const Feature& feature : image.features) {
-    for (std::size_t i = 0; i < 2; ++i)
-      center[i] = std::max(center[i], image_size(std::abs(feature.pixel[i])));
-  }
-  for (Feature& feature : image.features)
-    feature.pixel = {feature.pixel[0] + center[0], center[1] - feature.pixel[1]};
-  camera.parameters[1] = center[0];
-  camera.parameters[2] = center[1];
-  camera.width = static_cast<std::uint64_t>(2 * center[0]);
-  camera.height = static_cast<std::uint64_t>(2 * center[1]);
-}
-
-/// Makes the images of a camera large enough for these features.
-void enlarge(Camera& camera, const Image& image) {
-  double width = 1, height = 1;
-  for (const Feature& feature : image.features) {
-    width = std::max(width, feature.pixel[0]);
-    height = std::max(height, feature.pixel[1]);
-  }
-  camera.width = std::max(camera.width, static_cast<std::uint64_t>(image_size(width)));
-  camera.height = std::max(camera.height, static_cast<std::uint64_t>(image_size(height)));
 }
 
 class ModelMaker {

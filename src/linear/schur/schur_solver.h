@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxplus/linear/make_linear_solver.h"
+#include "linear/schur/column_elimination.h"
 #include "linear/schur/schur.h"
 
 namespace boxplus {
@@ -14,7 +15,7 @@ namespace boxplus {
 /// Eliminates the first AnalyzeHints::eliminated_blocks blocks, and lets `inner` solve for the remaining
 /// blocks. Returns the name and the statistics of `inner`. If the hints ask to eliminate no blocks or all
 /// blocks, `inner` solves for all blocks.
-class SchurSolver final : public LinearSolver {
+class SchurSolver final : public LinearSolver, public ColumnElimination {
  public:
   /// `inner` must not be null.
   SchurSolver(std::shared_ptr<LinearSolver> inner, SchurMode mode) : inner_(std::move(inner)), mode_(mode) {}
@@ -34,24 +35,18 @@ class SchurSolver final : public LinearSolver {
   void leave_out(std::span<const std::uint32_t> scalars) {
     if (eliminates()) schur_->leave_out(scalars);
   }
-  /// The number of slices of eliminated columns that eliminate_columns() accepts, or 0 if this solver cannot
-  /// eliminate while H is being computed.
-  int slices() const { return eliminates() && !reduced_->values().empty() ? schur_->slices() : 0; }
-  /// factorize() in steps: see Schur::begin(). control.right_hand_side must not be null. Every slice begins
-  /// and ends at AnalyzeHints::elimination_bounds: slice s of n begins at bound ⌊b s / n⌋ of b + 1 bounds.
-  void begin(const Damping& damping, const SolveControl& control) {
+  int slices() const override { return eliminates() && !reduced_->values().empty() ? schur_->slices() : 0; }
+  void begin(const Damping& damping, const SolveControl& control) override {
     schur_->begin(damping, control.right_hand_side);
   }
   void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const double* values,
-                         const StopToken& stop) {
+                         const StopToken& stop) override {
     schur_->eliminate_columns(slice, first, last, values, stop);
   }
-  FactorResult finish(std::span<const double> values, const Damping& damping, const SolveControl& control);
-  /// Computes the part of x that belongs to kept blocks, for the right-hand side of finish(). The caller
-  /// computes the other part with solve_eliminated(). For systems whose eliminated columns are not stored.
-  SolveResult solve_kept(double* x, const SolveControl& control);
-  /// x ← (V + λD)⁻¹ x for one eliminated block.
-  void solve_eliminated(std::uint32_t block, double* x) const { schur_->solve_eliminated(block, x); }
+  FactorResult finish(std::span<const double> values, const Damping& damping,
+                      const SolveControl& control) override;
+  SolveResult solve_kept(double* x, const SolveControl& control) override;
+  void solve_eliminated(std::uint32_t block, double* x) const override { schur_->solve_eliminated(block, x); }
 
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
   /// Works for all blocks of H, if the inner solver can compute blocks of the inverse of the Schur

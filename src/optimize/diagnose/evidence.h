@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "boxplus/optimize/options.h"
-#include "linearize/active_set.h"
 #include "optimize/diagnose/camera_views.h"
+#include "plan/active_set.h"
 
 namespace boxplus {
 

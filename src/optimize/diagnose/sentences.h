@@ -6,7 +6,7 @@
 #include <string>
 
 #include "boxplus/optimize/diagnose.h"
-#include "linearize/free_motions.h"
+#include "gauge/free_motions.h"
 
 namespace boxplus {
 

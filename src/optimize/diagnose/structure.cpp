@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <bit>
 
-#include "linearize/fixed_directions.h"
 #include "optimize/diagnose/evidence.h"
 #include "optimize/diagnose/finding_table.h"
 #include "optimize/diagnose/sentences.h"
+#include "plan/fixed_directions.h"
 
 namespace boxplus {
 namespace {

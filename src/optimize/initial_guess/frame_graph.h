@@ -8,7 +8,7 @@
 
 #include "base/paced_stop.h"
 #include "boxplus/graph/graph.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus::guess {
 

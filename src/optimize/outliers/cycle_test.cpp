@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "linearize/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace boxplus::outliers {
 namespace {

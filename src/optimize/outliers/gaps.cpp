@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "linearize/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace boxplus::outliers {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/edge_targets.h"
+#include "plan/edge_targets.h"
 
 namespace boxplus {
 namespace {

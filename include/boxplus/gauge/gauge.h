@@ -19,6 +19,12 @@ enum class GaugePolicy : std::uint8_t {
   kError  ///< stop with Report::Reason::kGaugeFreedom
 };
 
+/// A vertex that is held at its estimate to remove the gauge freedom of its component.
+struct GaugeVertex {
+  VertexRef vertex;
+  Id id = 0;
+};
+
 }  // namespace boxplus
 
 namespace boxplus::detail {

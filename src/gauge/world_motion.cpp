@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/world_motion.h"
+#include "gauge/world_motion.h"
 
 #include <Eigen/Core>
 #include <algorithm>

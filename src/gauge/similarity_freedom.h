@@ -9,7 +9,7 @@
 
 #include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
-#include "linearize/world_motion.h"
+#include "gauge/world_motion.h"
 
 namespace boxplus {
 

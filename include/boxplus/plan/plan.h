@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "boxplus/base/stop_token.h"
+#include "boxplus/gauge/gauge.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/linear/block_structure.h"
-#include "boxplus/linearize/gauge.h"
 
 namespace boxplus {
 
@@ -116,12 +116,6 @@ struct Chunk {
   /// pool. No two consecutive runs of a batch are of the same pool.
   std::vector<Run> runs;
   std::vector<Batch> batches;
-};
-
-/// A vertex that is held at its estimate to remove the gauge freedom of its component.
-struct GaugeVertex {
-  VertexRef vertex;
-  Id id = 0;
 };
 
 /// Immutable once made.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 namespace boxplus {
 

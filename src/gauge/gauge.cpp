@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/gauge.h"
+#include "gauge/gauge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <memory>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "base/paced_stop.h"
-#include "linearize/disjoint_sets.h"
-#include "linearize/similarity_freedom.h"
-#include "linearize/subspace.h"
+#include "gauge/similarity_freedom.h"
+#include "gauge/subspace.h"
 
 namespace boxplus {
 namespace {

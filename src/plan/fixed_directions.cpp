@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/fixed_directions.h"
+#include "plan/fixed_directions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/extend_plan.h"
+#include "plan/extend_plan.h"
 
 #include <algorithm>
 
-#include "linearize/disjoint_sets.h"
-#include "linearize/edge_targets.h"
+#include "base/disjoint_sets.h"
+#include "plan/edge_targets.h"
 
 namespace boxplus {
 namespace {

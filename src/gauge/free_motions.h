@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "linearize/similarity_freedom.h"
+#include "gauge/similarity_freedom.h"
 
 namespace boxplus {
 

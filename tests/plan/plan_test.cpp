@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which vertices and edges a plan contains, and which vertices it holds to fix the gauge. A plan holds a
 // vertex if the vertex stays at its estimate during a run although the user did not fix it.
-#include "boxplus/linearize/plan.h"
+#include "boxplus/plan/plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

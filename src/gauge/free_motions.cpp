@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/free_motions.h"
+#include "gauge/free_motions.h"
 
-#include "linearize/subspace.h"
+#include "gauge/subspace.h"
 
 namespace boxplus {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
-#include "linearize/free_motions.h"
+#include "boxplus/gauge/gauge.h"
+#include "gauge/free_motions.h"
 
 namespace boxplus {
 

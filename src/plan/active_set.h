@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxplus/linearize/plan.h"
-#include "linearize/gauge.h"
+#include "base/paced_stop.h"
+#include "boxplus/plan/plan.h"
+#include "gauge/gauge.h"
+#include "plan/edge_targets.h"
 
 namespace boxplus {
 
@@ -23,5 +25,19 @@ struct ActiveSet {
 };
 
 ActiveSet find_active_set(const Graph& graph, const PlanRequest& request);
+
+/// Calls f(pool, edge, blocks) for each active edge. `blocks` are those of its vertices, as edge_blocks()
+/// lists them.
+template <class F>
+void for_each_active_edge(const Graph& graph, const ActiveSet& active, PacedStop& pace, F&& f) {
+  std::vector<std::uint32_t> blocks;
+  for (std::uint32_t p = 0; p < active.edges.size(); ++p) {
+    for (std::uint32_t edge : active.edges[p]) {
+      pace.step();
+      edge_blocks(*graph.edge_pools()[p], edge, active.block, blocks);
+      f(p, edge, blocks);
+    }
+  }
+}
 
 }  // namespace boxplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/extend_plan.h"
+#include "plan/extend_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/active_set.h"
+#include "plan/active_set.h"
 
 #include <algorithm>
 #include <string>
 #include <tuple>
 
 #include "base/paced_stop.h"
-#include "linearize/fixed_directions.h"
+#include "plan/fixed_directions.h"
 
 namespace boxplus {
 namespace {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/gauge_removal.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace boxplus {
+namespace {
+
+/// GaugePolicy::kDamp increases each diagonal entry by this fraction of itself. This is enough to lift pivots
+/// that are only rounding errors, but too little to change a step noticeably.
+constexpr double kGaugeDamping = 1e-10;
+
+}  // namespace
+
+double GaugeRemoval::fraction() const {
+  const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
+  return is_free && policy_ == GaugePolicy::kDamp ? kGaugeDamping : current_.damping;
+}
+
+bool GaugeRemoval::has_other_types() const {
+  detail::Frame frame;
+  return std::any_of(plan_->vertices.begin(), plan_->vertices.end(), [&](const VertexList& list) {
+    return !list.slots.empty() && !graph_->vertex_pools()[list.pool]->get_frame(list.slots[0], frame);
+  });
+}
+
+StepResult GaugeRemoval::solve(const Solver& solver) {
+  StepResult result = solver.once();
+  if (result.status == LinearStatus::kOk && !solver.held_are_free()) {
+    current_.lost_scalars.clear();
+    current_.holds = false;
+    result = solver.once();
+  }
+  return result.status == LinearStatus::kNotPositiveDefinite ? hold_or_damp(result, solver) : result;
+}
+
+/// Holds directions whose pivots vanish. If that does not help, damps.
+StepResult GaugeRemoval::hold_or_damp(StepResult result, const Solver& solver) {
+  std::vector<std::uint32_t>& lost = current_.lost_scalars;
+  const std::size_t before = lost.size();
+  const auto hold_lost_pivot = [&] {
+    const auto [block, scalar] = solver.lost_pivot();
+    return current_.hold_lost_pivot(*plan_, block, scalar);
+  };
+  while (result.status == LinearStatus::kNotPositiveDefinite && policy_ == GaugePolicy::kFixFirst &&
+         hold_lost_pivot())
+    result = solver.once();
+  if (result.status != LinearStatus::kNotPositiveDefinite) return result;
+  lost.resize(before);
+  const bool holds_too_little = policy_ == GaugePolicy::kFixFirst && !plan_->freedoms.empty();
+  const bool damps_too_little = policy_ == GaugePolicy::kDamp && has_other_types();
+  if ((!holds_too_little && !damps_too_little) || current_.damping != 0) return result;
+  current_.damping = kGaugeDamping;
+  return solver.once();
+}
+
+}  // namespace boxplus

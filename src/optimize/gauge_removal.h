@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Removes the gauge freedom from H in the solves of a run.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "boxplus/base/function_ref.h"
+#include "boxplus/optimize/system.h"
+#include "optimize/gauge_treatment.h"
+
+namespace boxplus {
+
+/// Every solve after a linearization begins with the same treatment of the gauge freedom, so that its result
+/// depends on no earlier solve. The next linearization begins with what was learned.
+class GaugeRemoval {
+ public:
+  /// `graph` and `plan` must outlive this object.
+  GaugeRemoval(const Graph& graph, const Plan& plan, GaugePolicy policy)
+      : graph_(&graph), plan_(&plan), policy_(policy) {}
+
+  void begin_run() { learned_.clear(); }
+  void begin_linearization() { current_ = initial_ = learned_; }
+  void begin_solve() { current_ = initial_; }
+  void end_solve() {
+    if (current_ != initial_) learned_ = current_;
+  }
+
+  /// How solve() solves with the current treatment.
+  struct Solver {
+    detail::FunctionRef<StepResult()> once;
+    /// The block and the scalar at which once() failed.
+    detail::FunctionRef<std::pair<std::uint32_t, std::uint32_t>()> lost_pivot;
+    /// Whether the edges measure none of the held directions, as far as the step of once() shows.
+    detail::FunctionRef<bool()> held_are_free;
+  };
+  /// Solves, and changes the treatment until H is positive definite.
+  StepResult solve(const Solver& solver);
+
+  /// The fraction of itself that is added to each diagonal entry.
+  double fraction() const;
+  bool holds_any(double lambda) const {
+    return !current_.lost_scalars.empty() || current_.holds_scalars_of(*plan_, lambda);
+  }
+  /// Calls f(scalar) for each held scalar.
+  template <class F>
+  void for_each_held(double lambda, F&& f) const {
+    current_.for_each_held(*plan_, lambda, f);
+  }
+  const GaugeTreatment& current() const { return current_; }
+  const GaugeTreatment& learned() const { return learned_; }
+  /// Whether any moving vertex is neither a pose nor a point. The plan contains all gauge freedom of poses
+  /// and points, but not the freedom of other types.
+  bool has_other_types() const;
+
+ private:
+  StepResult hold_or_damp(StepResult result, const Solver& solver);
+
+  const Graph* graph_;
+  const Plan* plan_;
+  GaugePolicy policy_;
+  GaugeTreatment learned_;  // in this run, for the next linearization
+  GaugeTreatment initial_;  // of each solve after the last linearization
+  GaugeTreatment current_;  // of the current solve
+};
+
+}  // namespace boxplus
