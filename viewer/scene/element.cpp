@@ -148,6 +148,7 @@ Element find_element(const Graph& graph, const Structure& structure, const Eleme
 EdgeFacts facts_of(const Graph& graph, const Structure& structure, EdgeRef edge) {
   EdgeFacts facts;
   const detail::EdgePool& pool = *graph.edge_pools()[edge.pool];
+  facts.edge = edge;
   facts.number = number_of(graph, edge);
   facts.line = line_of(structure, edge);
   facts.type = pool.type_name();

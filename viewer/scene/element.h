@@ -37,6 +37,7 @@ struct EdgeFacts {
     bool is_parameter;
     std::optional<std::uint32_t> number;  ///< if the vertex is drawn
   };
+  EdgeRef edge;
   std::uint64_t number;               ///< among all slots of all pools of edges
   std::optional<std::uint32_t> line;  ///< its first line, if it is drawn
   std::string type, tag;              ///< the tag is "" if the type has none

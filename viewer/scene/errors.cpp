@@ -64,7 +64,7 @@ double weight_of(const detail::EdgePool& pool, std::uint32_t edge, double chi2) 
 
 }  // namespace
 
-Errors read_errors(const Graph& graph, const Structure& structure) {
+Errors read_errors(const Graph& graph, const Structure& structure, const Verdicts& verdicts) {
   const PoolValues chi2 = chi2_of_edges(graph);
   Errors errors;
   if (structure.is_bundle) errors.points = point_errors(graph, structure, chi2);
@@ -82,6 +82,7 @@ Errors read_errors(const Graph& graph, const Structure& structure) {
     }
   }
   if (!has_weights) errors.weights.clear();
+  errors.verdicts = verdicts_of_lines(graph, structure, verdicts);
   return errors;
 }
 

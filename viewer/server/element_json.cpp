@@ -15,7 +15,8 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json json_of(const EdgeFacts& edge) {
+Json json_of(const EdgeFacts& edge, const Verdicts& verdicts) {
+  const std::optional<Verdict> verdict = verdicts.of(edge.edge);
   Json ends = Json::array();
   for (const EdgeFacts::End& end : edge.ends) {
     ends.push_back({{"id", std::to_string(end.id)},
@@ -38,12 +39,13 @@ Json json_of(const EdgeFacts& edge) {
           {"chi2_per_row", edge.chi2_per_row()},
           {"weight", edge.weight},
           {"kernel", edge.kernel},
-          {"is_enabled", edge.is_enabled}};
+          {"is_enabled", edge.is_enabled},
+          {"verdict", verdict ? Json(to_string(*verdict)) : Json(nullptr)}};
 }
 
-Json json_of(const VertexFacts& vertex) {
+Json json_of(const VertexFacts& vertex, const Verdicts& verdicts) {
   Json edges = Json::array();
-  for (const EdgeFacts& edge : vertex.edges) edges.push_back(json_of(edge));
+  for (const EdgeFacts& edge : vertex.edges) edges.push_back(json_of(edge, verdicts));
   return {{"kind", "vertex"},
           {"id", std::to_string(vertex.id)},
           {"vertex", or_null(vertex.number)},
@@ -59,9 +61,10 @@ Json json_of(const VertexFacts& vertex) {
 }  // namespace
 
 std::string element_json(const Graph& graph, const Structure& structure, const ElementName& name,
-                         std::uint64_t structure_number) {
+                         std::uint64_t structure_number, const Verdicts& verdicts) {
   const Element element = find_element(graph, structure, name);
-  Json json = std::visit([&](const auto& ref) { return json_of(facts_of(graph, structure, ref)); }, element);
+  Json json = std::visit([&](const auto& ref) { return json_of(facts_of(graph, structure, ref), verdicts); },
+                         element);
   json["structure"] = structure_number;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "viewer/scene/element.h"
+#include "viewer/scene/verdicts.h"
 
 namespace boxplus::viewer {
 
 /// Throws InvalidArgument if the graph has no such element.
 std::string element_json(const Graph& graph, const Structure& structure, const ElementName& name,
-                         std::uint64_t structure_number);
+                         std::uint64_t structure_number, const Verdicts& verdicts = {});
 
 }  // namespace boxplus::viewer

@@ -190,6 +190,7 @@ Message frame_message(const FrameFacts& facts, const Structure& structure, const
   if (!errors.points.empty()) message.add("errors", errors.points);
   if (!errors.chi2.empty()) message.add("chi2", errors.chi2);
   if (!errors.weights.empty()) message.add("weights", errors.weights);
+  if (!errors.verdicts.empty()) message.add("verdicts", errors.verdicts);
   if (!uncertainty.vertices.empty()) {
     message.add("uncertain", uncertainty.vertices);
     message.add("covariances", uncertainty.covariances);

@@ -13,6 +13,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/linear/linear_solver_table.h"
 #include "boxplus/optimize/algorithm_table.h"
+#include "boxplus/optimize/outliers.h"
 #include "boxplus/optimize/start_table.h"
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/kernel_table.h"
@@ -127,6 +128,7 @@ class TableMaker {
     add_method();
     add_damping();
     add_outliers();
+    add_false_edges();
     add_problem();
     add_stop();
     return std::move(table_);
@@ -218,6 +220,18 @@ class TableMaker {
         [](RunSettings& settings) -> KernelScope& { return settings.kernel_scope; });
   }
 
+  /// Commands that have this setting add it as an option themselves, with a help text of their own.
+  void add_false_edges() {
+    make_choice(
+        add("False edges", "outliers",
+            "Find false edges, and optimize without them: among the loop closures (edges between "
+            "poses whose ids are not consecutive) or among all edges. Begins with the odometry, if "
+            "there is any"),
+        Choices<std::optional<Suspects>>{
+            {"none", std::nullopt}, {"loop-closures", Suspects::kLoopClosures}, {"all", Suspects::kAll}},
+        [](RunSettings& settings) -> std::optional<Suspects>& { return settings.options.outliers; });
+  }
+
   void add_problem() {
     make_choice(add("Problem", "gauge",
                     "How to treat a part of the graph that nothing holds in place; fix-first: fix its first "
@@ -297,6 +311,8 @@ std::string why_unsuitable(const Graph& graph, const Setting& setting, std::stri
   if (setting.name == "start" && word != "automatic" && word != "current" && !has_relative_poses(graph))
     return "no edge of this graph measures a relative pose";
   if (setting.name == "kernel-on" && word == "loop-closures" && !has_loop_closures(graph))
+    return "this graph has no loop closures";
+  if (setting.name == "outliers" && word == "loop-closures" && !has_loop_closures(graph))
     return "this graph has no loop closures";
   if (setting.name == "solver" && word == "dense") {
     constexpr double kMost = 4e9;

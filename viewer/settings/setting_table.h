@@ -18,7 +18,7 @@ struct Setting {
   enum class Kind : std::uint8_t { kChoice, kWholeNumber, kNumber, kKernel };
 
   std::string name;   ///< "cost-tolerance"; the option of the command is --cost-tolerance
-  std::string group;  ///< "Method", "Outliers", "Problem" or "Stop"
+  std::string group;  ///< "Method", "Outliers", "False edges", "Problem" or "Stop"
   Kind kind;
   std::string help;                     ///< one or two sentences for people, without a period at the end
   std::vector<std::string> words = {};  ///< the values of kChoice and kKernel

@@ -85,7 +85,7 @@ Message GraphSubject::uncertain_frame(const FrameFacts& facts, Listener& listene
 
 Message GraphSubject::frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const {
   const Positions positions = read_positions(*graph_, structure_);
-  const Errors errors = at_rest ? read_errors(*graph_, structure_) : Errors();
+  const Errors errors = at_rest ? read_errors(*graph_, structure_, verdicts_) : Errors();
   return frame_message(facts, structure_, positions, errors, uncertainty,
                        truth_ ? truth_->fit(*graph_, structure_) : std::nullopt);
 }
@@ -111,7 +111,7 @@ Message GraphSubject::truth(std::uint64_t structure) {
 }
 
 std::string GraphSubject::describe(const ElementName& name, std::uint64_t structure) const {
-  return element_json(*graph_, structure_, name, structure);
+  return element_json(*graph_, structure_, name, structure, verdicts_);
 }
 
 std::string GraphSubject::edit(const Edit& edit) {
@@ -131,6 +131,7 @@ Outcome GraphSubject::step(const Settings& settings, Listener& listener) {
   RunSettings one = run_settings(settings);
   one.options.start = Start::kCurrent;
   one.options.max_iterations = 1;
+  one.options.outliers.reset();  // a search for outliers has no single steps
   return outcome(optimize(one, listener, true));
 }
 
@@ -149,6 +150,7 @@ bool GraphSubject::guess(const std::string& start, Listener& listener) {
 }
 
 void GraphSubject::restore() {
+  verdicts_ = {};
   if (std::exchange(has_kernels_, false)) robustify(*graph_, {});
   graph_->pop();
   graph_->push();
@@ -203,7 +205,23 @@ Report GraphSubject::optimize(const RunSettings& settings, Listener& listener, b
   } else {
     optimizer_ = std::make_unique<Optimizer>(*graph_, std::move(options));
   }
-  return optimizer_->run();
+  verdicts_ = {};
+  Report report = optimizer_->run();
+  note_verdicts(report, listener);
+  return report;
+}
+
+void GraphSubject::note_verdicts(const Report& report, Listener& listener) {
+  verdicts_ = Verdicts(report.verdicts);
+  if (!report.outlier_note.empty()) listener.log("warning", report.outlier_note);
+  if (report.verdicts.empty()) return;
+  const auto count = [&](Verdict verdict) {
+    return std::ranges::count(report.verdicts, verdict, &EdgeVerdict::verdict);
+  };
+  listener.log("info",
+               fmt::format("{} of {} suspected edges are false, and {} are undecided; color edges by "
+                           "verdict to see them",
+                           count(Verdict::kOutlier), report.verdicts.size(), count(Verdict::kUndecided)));
 }
 
 /// The report has no chi2 if the run was stopped before it evaluated chi2.

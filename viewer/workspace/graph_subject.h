@@ -10,6 +10,7 @@
 #include "boxplus/optimize/optimizer.h"
 #include "viewer/scene/scans.h"
 #include "viewer/scene/truth.h"
+#include "viewer/scene/verdicts.h"
 #include "viewer/settings/run_settings.h"
 #include "viewer/workspace/subject.h"
 
@@ -60,6 +61,7 @@ class GraphSubject final : public Subject {
   Outcome outcome(const Report& report) const;
   Message frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const;
   void set_kernels(const RunSettings& settings, Listener& listener);
+  void note_verdicts(const Report& report, Listener& listener);
 
   std::optional<GraphFile> own_;
   Graph* graph_;
@@ -70,6 +72,7 @@ class GraphSubject final : public Subject {
   std::optional<Truth> truth_;
   std::unique_ptr<Optimizer> optimizer_;
   bool has_kernels_ = false;
+  Verdicts verdicts_;  // of the last run
 };
 
 /// Reads a file in any format that is no folder. If it has no estimates, makes an initial guess.

@@ -170,11 +170,15 @@ void add_robust_options(CLI::App& command, viewer::RunSettings& settings) {
 
 CLI::Option* add_suspects_option(CLI::App& command, std::optional<Suspects>& suspects,
                                  const std::string& help) {
-  const auto set = [&suspects](const std::string& text) {
-    if (text != "none") suspects = text == "all" ? Suspects::kAll : Suspects::kLoopClosures;
+  const auto table = viewer::setting_table();
+  const viewer::Setting& setting = *std::ranges::find(table, "outliers", &viewer::Setting::name);
+  const auto set = [&suspects, &setting](const std::string& text) {
+    viewer::RunSettings scratch;
+    setting.set(scratch, text);
+    suspects = scratch.options.outliers;
   };
   return command.add_option_function<std::string>("--outliers", set, help)
-      ->check(CLI::IsMember({"none", "loop-closures", "all"}))
+      ->check(CLI::IsMember(setting.words))
       ->type_name("NAME")
       ->default_str("none")
       ->group("Outliers");

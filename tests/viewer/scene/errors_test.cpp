@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/manifold/se2.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/testing/simulate_bundle.h"
+#include "boxplus/types/between.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -54,6 +56,30 @@ TEST(Errors, OfDisabledEdgesHaveTheWeightZero) {
   const Errors errors = read_errors(file.graph, make_structure(file.graph));
   EXPECT_THAT(errors.weights, ElementsAre(1, 0, 1));
   EXPECT_THAT(errors.chi2, ElementsAre(0, 12, 0));
+}
+
+TEST(Errors, HaveTheVerdictsOfTheLastRun) {
+  GraphFile file = with_outlier();
+  const auto verdicts_of = [](std::vector<EdgeVerdict> list) { return Verdicts(list); };
+  const Verdicts verdicts =
+      verdicts_of({{file.edges[2], 1, 2, Verdict::kUndecided}, {file.edges[0], 0, 2, Verdict::kOutlier}});
+  const Structure structure = make_structure(file.graph);
+  // Lines: 0–1, 1–2, 0–2.
+  EXPECT_THAT(read_errors(file.graph, structure, verdicts).verdicts, ElementsAre(0, 2, 3));
+  EXPECT_THAT(read_errors(file.graph, structure).verdicts, IsEmpty());
+  EXPECT_EQ(verdicts.of(file.edges[1]), std::nullopt);
+  EXPECT_EQ(verdicts.of(file.edges[0]), Verdict::kOutlier);
+}
+
+TEST(Errors, HaveNoVerdictIfAnotherEdgeHasTheSlot) {
+  GraphFile file = with_outlier();
+  const std::vector<EdgeVerdict> list{{file.edges[0], 0, 2, Verdict::kOutlier}};
+  const auto [from, to] =
+      std::pair(file.graph.vertices(file.edges[0])[0], file.graph.vertices(file.edges[0])[1]);
+  file.graph.remove(file.edges[0]);
+  file.graph.add_edge(Between(SE2(2, 2, 0)), file.graph.typed<SE2>(from), file.graph.typed<SE2>(to));
+  EXPECT_THAT(read_errors(file.graph, make_structure(file.graph), Verdicts(list)).verdicts,
+              ElementsAre(0, 0, 0));
 }
 
 TEST(Errors, OfAllLinesOfAnEdgeAreTheSame) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "boxplus/base/error.h"
+#include "boxplus/optimize/outliers.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -43,6 +44,12 @@ TEST(SettingTable, HasTheDefaultsOfARun) {
   EXPECT_EQ(settings.options.cost_tolerance, defaults.options.cost_tolerance);
   EXPECT_EQ(settings.options.step_tolerance, defaults.options.step_tolerance);
   EXPECT_EQ(settings.options.gradient_tolerance, defaults.options.gradient_tolerance);
+}
+
+TEST(SettingTable, ChoosesTheEdgesThatMayBeFalse) {
+  EXPECT_EQ(run_settings({{"outliers", "all"}}).options.outliers, Suspects::kAll);
+  EXPECT_EQ(run_settings({{"outliers", "loop-closures"}}).options.outliers, Suspects::kLoopClosures);
+  EXPECT_EQ(run_settings({{"outliers", "none"}}).options.outliers, std::nullopt);
 }
 
 TEST(SettingTable, RefusesValuesWithAReason) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The choice by what edges are colored, and its legend.
 import type { DisplayOptions } from "../scene/display_options";
-import { type EdgeColoring, levelNames } from "../scene/edge_levels";
+import { EDGE_COLORINGS, type EdgeColoring, levelNames, type LevelColoring } from "../scene/edge_levels";
 import { lineNumber, swatch } from "./controls";
 import { create } from "./dom";
 
-const CHOICES: [EdgeColoring, string][] = [["role", "role"], ["chi2", "chi2"], ["weight", "robust weight"]];
-const EXPLANATIONS = {
+const NAMES: Record<EdgeColoring, string> = { role: "role", chi2: "chi2", weight: "robust weight", verdict: "verdict" };
+const EXPLANATIONS: Record<LevelColoring, string> = {
   chi2: "chi2 of the edge per row of its error, before the kernel; about 1 is expected.",
   weight: "The factor by which the kernel reduces the edge.",
+  verdict: "Whether the last run found the edge false. Choose suspects in Settings, False edges, and optimize.",
 };
 
 export class EdgeColors {
@@ -17,7 +18,7 @@ export class EdgeColors {
   /** The options are changed in place. */
   build(options: DisplayOptions): HTMLElement[] {
     const select = create("select", { id: "edge-coloring" },
-      ...CHOICES.map(([value, name]) => create("option", { value }, name)));
+      ...EDGE_COLORINGS.map((value) => create("option", { value }, NAMES[value])));
     select.value = options.edge_coloring;
     select.addEventListener("input", () => (options.edge_coloring = select.value as EdgeColoring));
     return [create("label", { className: "choice" }, "Color edges by", select), this.legend];
@@ -27,7 +28,7 @@ export class EdgeColors {
   showLegend(coloring: EdgeColoring, counts: number[] | null): void {
     this.legend.hidden = coloring === "role" || !counts;
     if (coloring === "role" || !counts) return;
-    const lines = levelNames(coloring).map((name, level) =>
+    const lines = levelNames(coloring).map(([level, name]) =>
       create("li", {}, swatch(`level-${level}`), name, lineNumber(counts[level]!)));
     this.legend.replaceChildren(
       create("p", { className: "dim" }, EXPLANATIONS[coloring]), create("ul", { className: "legend" }, ...lines));

@@ -49,6 +49,7 @@ function edgeFacts(facts: EdgeFacts, choose: Choose): HTMLElement[] {
   const chi2 = `${general(facts.chi2, 6)} (${general(facts.chi2_per_row, 3)} per row, ${counted(row_count, "row", "rows")})`;
   rows.push(["chi2", create("span", { className: isOutlier(facts) ? "outlier" : "" }, chi2)]);
   rows.push(["Weight", weightText(facts)]);
+  if (facts.verdict) rows.push(["Verdict", create("span", { className: facts.verdict }, facts.verdict)]);
   if (level !== 0) rows.push(["Level", String(level)]);
   if (fields !== "") rows.push(["Measured, Ω", numbers(fields)]);
   return [create("h2", {}, `Edge ${vertices.map(endText).join(" – ")}`), list(rows)];

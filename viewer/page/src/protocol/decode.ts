@@ -63,7 +63,11 @@ function decodeFrame(payload: Uint8Array<ArrayBuffer>): Frame {
     positions: required(arrays, "positions", Float32Array),
     orientations: required(arrays, "orientations", Float32Array),
     errors: optional(arrays, "errors", Float32Array),
-    line_values: chi2 && { chi2, weights: optional(arrays, "weights", Float32Array) },
+    line_values: chi2 && {
+      chi2,
+      weights: optional(arrays, "weights", Float32Array),
+      verdicts: optional(arrays, "verdicts", Uint8Array),
+    },
     uncertainty: note ? uncertaintyOf(note, arrays) : null,
   };
 }

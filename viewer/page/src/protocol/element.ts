@@ -33,6 +33,8 @@ export interface EdgeFacts {
   weight: MaybeNumber;
   kernel: string;
   is_enabled: boolean;
+  /** Of the last run; null if the edge was no suspect. */
+  verdict: "inlier" | "outlier" | "undecided" | null;
 }
 
 export interface VertexFacts {

@@ -170,7 +170,7 @@ export interface Frame {
   orientations: Float32Array;
   /** The reprojection error of each point, if the server knows it. */
   errors: Float32Array | null;
-  /** The arrays `chi2` and `weights`, if the server knows them. */
+  /** The arrays `chi2`, `weights` and `verdicts`, if the server knows them. */
   line_values: LineValues | null;
   /** null if nobody asked for it. */
   uncertainty: Uncertainty | null;

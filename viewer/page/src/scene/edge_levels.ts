@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges colored by chi2 or by robust weight: each line has one of a few levels, the last of which is that of outliers.
+// Edges colored by chi2, by robust weight or by verdict: each line has one of a few levels, the last of which is that of
+// outliers.
 
-export type EdgeColoring = "role" | "chi2" | "weight";
+/** What decides the level of a line; "role" means that lines have no levels. */
+export const EDGE_COLORINGS = ["role", "chi2", "weight", "verdict"] as const;
+export type EdgeColoring = (typeof EDGE_COLORINGS)[number];
+export type LevelColoring = Exclude<EdgeColoring, "role">;
 
 /** What is known of the lines of a graph at rest. */
 export interface LineValues {
@@ -9,46 +13,55 @@ export interface LineValues {
   chi2: Float32Array;
   /** From 0 to 1; null if all weights are 1. */
   weights: Float32Array | null;
+  /** Of the last run, as in viewer/PROTOCOL.md; null if it has none. */
+  verdicts: Uint8Array | null;
 }
-
-interface Scale {
-  /** A line belongs to the level after all limits that it has passed. */
-  limits: number[];
-  passed(value: number, limit: number): boolean;
-  names: string[];
-}
-
-// A value that is not a number passes all limits, so it is an outlier.
-const SCALES: Record<"chi2" | "weight", Scale> = {
-  chi2: {
-    limits: [0.01, 0.1, 1, 3, 10],
-    passed: (value, limit) => !(value < limit),
-    names: ["< 0.01", "0.01 to 0.1", "0.1 to 1", "1 to 3", "3 to 10", "≥ 10"],
-  },
-  weight: {
-    limits: [0.9, 0.5, 0.25, 0.1, 0.01],
-    passed: (value, limit) => !(value >= limit),
-    names: ["≥ 0.9", "0.5 to 0.9", "0.25 to 0.5", "0.1 to 0.25", "0.01 to 0.1", "< 0.01"],
-  },
-};
 
 export const LEVELS = 6;
 
-export function levelNames(coloring: "chi2" | "weight"): string[] {
+interface Scale {
+  /** The level of a line, from 0 to LEVELS - 1; null if all lines have level 0. */
+  levels(values: LineValues): ((line: number) => number) | null;
+  /** The names of the levels that occur. */
+  names: [number, string][];
+}
+
+/** A line belongs to the level after all limits that it has passed. */
+function limited(values: Float32Array, limits: number[], passed: (value: number, limit: number) => boolean) {
+  return (line: number) => {
+    let level = 0;
+    while (level < limits.length && passed(values[line]!, limits[level]!)) ++level;
+    return level;
+  };
+}
+
+/** The levels of the verdicts 0 to 3. */
+const VERDICT_LEVELS = [0, 2, 3, 5];
+
+// A value that is not a number passes all limits, so it is an outlier.
+const SCALES: Record<LevelColoring, Scale> = {
+  chi2: {
+    levels: ({ chi2 }) => limited(chi2, [0.01, 0.1, 1, 3, 10], (value, limit) => !(value < limit)),
+    names: [...["< 0.01", "0.01 to 0.1", "0.1 to 1", "1 to 3", "3 to 10", "≥ 10"].entries()],
+  },
+  weight: {
+    levels: ({ weights }) => weights && limited(weights, [0.9, 0.5, 0.25, 0.1, 0.01], (value, limit) => !(value >= limit)),
+    names: [...["≥ 0.9", "0.5 to 0.9", "0.25 to 0.5", "0.1 to 0.25", "0.01 to 0.1", "< 0.01"].entries()],
+  },
+  verdict: {
+    levels: ({ verdicts }) => verdicts && ((line) => VERDICT_LEVELS[verdicts[line]!]!),
+    names: ["no suspect", "inlier", "undecided", "outlier"].map((name, verdict) => [VERDICT_LEVELS[verdict]!, name]),
+  },
+};
+
+export function levelNames(coloring: LevelColoring): [number, string][] {
   return SCALES[coloring].names;
 }
 
 /** Returns the level of each line. */
-export function levelsOf(coloring: "chi2" | "weight", { chi2, weights }: LineValues): Uint8Array {
-  const { limits, passed } = SCALES[coloring];
-  const values = coloring === "chi2" ? chi2 : weights;
-  const levels = new Uint8Array(chi2.length);
-  if (!values) return levels;
-  for (let line = 0; line < levels.length; ++line) {
-    const value = values[line]!;
-    while (levels[line]! < limits.length && passed(value, limits[levels[line]!]!)) ++levels[line]!;
-  }
-  return levels;
+export function levelsOf(coloring: LevelColoring, values: LineValues): Uint8Array {
+  const level = SCALES[coloring].levels(values);
+  return Uint8Array.from(values.chi2, (_, line) => level?.(line) ?? 0);
 }
 
 /** Returns the lines from `first` to `first + count - 1` that have the level: two vertex numbers each. */

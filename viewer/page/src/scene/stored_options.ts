@@ -3,6 +3,7 @@
 import { asRecord, store, stored } from "../stored";
 import { COLOR_MODES } from "./coloring";
 import { type DisplayOptions, defaultOptions, type TypeStyle } from "./display_options";
+import { EDGE_COLORINGS } from "./edge_levels";
 
 export function storeOptions(options: DisplayOptions): void {
   // JSON knows no infinity: such a limit becomes null.
@@ -21,7 +22,7 @@ export function storedOptions(): DisplayOptions {
   options.shows_uncertainty = shows_uncertainty !== false;
   options.shows_scans = shows_scans !== false;
   options.color_mode = COLOR_MODES.find((mode) => mode === color_mode) ?? "type";
-  if (edge_coloring === "chi2" || edge_coloring === "weight") options.edge_coloring = edge_coloring;
+  options.edge_coloring = EDGE_COLORINGS.find((coloring) => coloring === edge_coloring) ?? "role";
   const { least_track_length, most_error } = asRecord(limits);
   if (isSize(least_track_length)) options.limits.least_track_length = least_track_length;
   if (isSize(most_error)) options.limits.most_error = most_error;

@@ -8,15 +8,22 @@ const { levelCounts, levelNames, levelsOf, linesOfLevel } = await load("src/scen
 
 test("the levels of chi2 are logarithmic, and values that are no numbers are outliers", () => {
   const chi2 = new Float32Array([0, 0.05, 0.5, 2, 5, 10, 1e9, Infinity, NaN]);
-  assert.deepEqual([...levelsOf("chi2", { chi2, weights: null })], [0, 1, 2, 3, 4, 5, 5, 5, 5]);
-  assert.equal(levelNames("chi2").length, 6);
+  assert.deepEqual([...levelsOf("chi2", { chi2, weights: null, verdicts: null })], [0, 1, 2, 3, 4, 5, 5, 5, 5]);
+  assert.deepEqual(levelNames("chi2").map(([level]) => level), [0, 1, 2, 3, 4, 5]);
 });
 
 test("small weights are outliers, and without weights there are none", () => {
   const chi2 = new Float32Array(4);
   const weights = new Float32Array([1, 0.5, 0.001, NaN]);
-  assert.deepEqual([...levelsOf("weight", { chi2, weights })], [0, 1, 5, 5]);
-  assert.deepEqual([...levelsOf("weight", { chi2, weights: null })], [0, 0, 0, 0]);
+  assert.deepEqual([...levelsOf("weight", { chi2, weights, verdicts: null })], [0, 1, 5, 5]);
+  assert.deepEqual([...levelsOf("weight", { chi2, weights: null, verdicts: null })], [0, 0, 0, 0]);
+});
+
+test("verdicts have levels of their own, and without verdicts there are no outliers", () => {
+  const chi2 = new Float32Array(4), verdicts = Uint8Array.from([0, 1, 2, 3]);
+  assert.deepEqual([...levelsOf("verdict", { chi2, weights: null, verdicts })], [0, 2, 3, 5]);
+  assert.deepEqual([...levelsOf("verdict", { chi2, weights: null, verdicts: null })], [0, 0, 0, 0]);
+  assert.deepEqual(levelNames("verdict").at(-1), [5, "outlier"]);
 });
 
 test("each line of a group belongs to one level", () => {
