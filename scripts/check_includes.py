@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that folders include only lower folders, and that public headers include no private headers.
+"""Checks that folders include only lower folders, that subfolders of src include each other in one direction, and that
+public headers include no private headers.
 
     check_includes.py [ROOT]
 
@@ -97,6 +98,33 @@ def violations(root):
                 yield f"{where}: {folder}/ must not include a private header ({match.group(2)})"
 
 
+def circles(root):
+    """Circles among the subfolders of a folder of src, such as io/bal and io/colmap."""
+    includes = {}  # subfolder -> {other subfolder of the same folder: where}
+    for file in sorted((root / "src").rglob("*")):
+        parts = file.relative_to(root / "src").parts
+        if file.suffix not in (".h", ".cpp") or len(parts) < 3:
+            continue
+        text = file.read_text(encoding="utf-8")
+        for match in INCLUDE.finditer(text):
+            other = pathlib.PurePosixPath(match.group(2)).parts
+            if match.group(1) == '"' and len(other) > 2 and other[0] == parts[0] and other[1] != parts[1]:
+                line = text.count("\n", 0, match.start(1)) + 1
+                where = f"{file.relative_to(root)}:{line}"
+                includes.setdefault(parts[:2], {}).setdefault(other[:2], where)
+
+    def reaches(start, end, seen):
+        if start == end:
+            return True
+        seen.add(start)
+        return any(reaches(next_, end, seen) for next_ in includes.get(start, {}) if next_ not in seen)
+
+    for folder, others in includes.items():
+        for other, where in others.items():
+            if reaches(other, folder, set()):
+                yield f"{where}: {'/'.join(folder)} and {'/'.join(other)} include each other"
+
+
 def violations_of_g2o(root):
     for file in sorted((root / "g2o" / "include").rglob("*.h*")):
         text = file.read_text(encoding="utf-8")
@@ -108,7 +136,7 @@ def violations_of_g2o(root):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
-    found = [*violations(root), *violations_of_g2o(root)]
+    found = [*violations(root), *circles(root), *violations_of_g2o(root)]
     print(*found, sep="\n", end="\n" if found else "")
     return 1 if found else 0
 

@@ -85,6 +85,15 @@ class CheckIncludes(unittest.TestCase):
             {"src/surprise/surprise.cpp": ""},
             "src/surprise/surprise.cpp:1: folder 'surprise' has no row in the table of scripts/check_includes.py")
 
+    def test_subfolders_that_include_each_other_are_reported(self):
+        one_way = {"src/graph/a/x.cpp": '#include "graph/b/y.h"\n', "src/graph/b/z.h": '#include "graph/c/z.h"\n'}
+        self.assertEqual(check(one_way), (0, []))
+        self.assertEqual(
+            check({**one_way, "src/graph/c/z.cpp": '\n#include "graph/a/x.h"\n'}),
+            (1, ["src/graph/a/x.cpp:1: graph/a and graph/b include each other",
+                 "src/graph/b/z.h:1: graph/b and graph/c include each other",
+                 "src/graph/c/z.cpp:2: graph/c and graph/a include each other"]))
+
     def test_a_public_header_of_the_g2o_api_must_not_include_boxplus(self):
         self.assert_reported(
             {"g2o/include/g2o/core/solver.h": '#include "boxplus/graph/graph.h"\n'},

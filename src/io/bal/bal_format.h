@@ -15,14 +15,12 @@
 #include <vector>
 
 #include "boxplus/io/file_format.h"
-#include "boxplus/types/ba.h"
+#include "io/model/bal_vertex.h"
 
 namespace boxplus {
 
 FileFormat bal_format();
 
-using BalVertex = Product<SE3, BalCamera>;
-using BalEdge = Reprojection<BalCamera>;
 /// The number of values per camera.
 inline constexpr int kBalCameraValues = 9;
 

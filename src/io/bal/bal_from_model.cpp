@@ -6,10 +6,10 @@
 #include <unordered_map>
 
 #include "boxplus/base/error.h"
-#include "io/bal/bal_axes.h"
 #include "io/bal/bal_format.h"
 #include "io/bal/bal_pose.h"
-#include "io/colmap/model_reader.h"
+#include "io/model/axes.h"
+#include "io/model/model_graph.h"
 #include "io/written_errors.h"
 
 namespace boxplus {

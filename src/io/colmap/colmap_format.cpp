@@ -12,10 +12,11 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/write_file.h"
 #include "io/colmap/frame_reader.h"
-#include "io/colmap/graph_model.h"
 #include "io/colmap/model_output.h"
 #include "io/colmap/model_reader.h"
 #include "io/file_set.h"
+#include "io/model/graph_model.h"
+#include "io/model/model_graph.h"
 
 namespace boxplus {
 namespace {

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "io/colmap/model_reader.h"
+#include "io/model/model_graph.h"
 
 namespace boxplus {
 namespace {

@@ -11,7 +11,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/sparse_model.h"
 #include "boxplus/io/text_source.h"
-#include "io/colmap/camera_types.h"
+#include "io/model/camera_types.h"
 
 namespace boxplus {
 

@@ -9,8 +9,8 @@
 #include "boxplus/boxplus.h"
 #include "boxplus/io/sparse_model.h"
 #include "boxplus/types/position_prior.h"
-#include "io/colmap/camera_types.h"
 #include "io/colmap/model_folder.h"
+#include "io/model/camera_types.h"
 
 namespace boxplus {
 namespace {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/model/model_graph.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
-#include "boxplus/io/graph_file.h"
-#include "io/colmap/model_reader.h"
-#include "io/colmap/pose_places.h"
+#include "io/model/camera_types.h"
+#include "io/model/pose_places.h"
 
 namespace boxplus {
 namespace {
@@ -161,6 +162,30 @@ GraphFile graph_of(SparseModel model) {
   GraphFile file = GraphMaker(model).make();
   file.model = std::make_shared<const SparseModel>(std::move(model));
   return file;
+}
+
+SE3 pose_of(const SparseModel::Pose& pose) {
+  const auto& q = pose.rotation;
+  const SO3 rotation(detail::Quaternion<double>{q[1], q[2], q[3], q[0]});
+  return SE3(Vector3(pose.translation.data()), rotation).inverse();
+}
+
+SparseModel::Pose pose_in_file(const SE3& pose) {
+  const SE3 inverse = pose.inverse();
+  const detail::Quaternion<double> q = inverse.quaternion();
+  const Vector3 positive_zero(0, 0, 0), t = inverse.translation() + positive_zero;
+  return {{q.w, q.x, q.y, q.z}, {t[0], t[1], t[2]}};
+}
+
+SE3 pose_of(const SparseModel::Image& image) {
+  return pose_of(SparseModel::Pose{image.rotation, image.translation});
+}
+
+Vector2 error_of(const SparseModel::Camera& camera, const SE3& T_world_camera,
+                 const SparseModel::Feature& feature, const Vector3& point) {
+  return find_camera_type(camera.model)
+             ->project(camera.parameters.data(), T_world_camera.inverse_times(point)) -
+         Vector2(feature.pixel.data());
 }
 
 }  // namespace boxplus

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/bal/bal_format.h"
-#include "io/colmap/camera_types.h"
+#include "io/model/bal_vertex.h"
+#include "io/model/camera_types.h"
 
 namespace boxplus {
 

@@ -2,7 +2,7 @@
 // The sizes of images that a graph does not know.
 #pragma once
 
-#include "io/colmap/model_reader.h"
+#include "boxplus/io/sparse_model.h"
 
 namespace boxplus {
 

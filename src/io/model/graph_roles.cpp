@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/colmap/graph_roles.h"
+#include "io/model/graph_roles.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/colmap/graph_model.h"
+#include "io/model/graph_model.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 #include <unordered_map>
 
 #include "boxplus/io/graph_file.h"
-#include "io/bal/bal_axes.h"
-#include "io/colmap/graph_roles.h"
-#include "io/colmap/image_sizes.h"
-#include "io/colmap/model_frames.h"
-#include "io/colmap/model_reader.h"
-#include "io/colmap/pose_places.h"
 #include "io/edges_to_write.h"
+#include "io/model/axes.h"
+#include "io/model/graph_roles.h"
+#include "io/model/image_sizes.h"
+#include "io/model/model_frames.h"
+#include "io/model/model_graph.h"
+#include "io/model/pose_places.h"
 #include "io/moderate_pose.h"
 #include "io/reprojection_losses.h"
 #include "io/written_errors.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/colmap/model_frames.h"
+#include "io/model/model_frames.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "io/colmap/model_reader.h"
-#include "io/colmap/pose_places.h"
+#include "io/model/model_graph.h"
+#include "io/model/pose_places.h"
 
 namespace boxplus {
 namespace {

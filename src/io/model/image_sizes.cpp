@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/colmap/image_sizes.h"
+#include "io/model/image_sizes.h"
 
 #include <algorithm>
 #include <array>

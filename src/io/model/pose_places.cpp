@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/colmap/pose_places.h"
+#include "io/model/pose_places.h"
 
 #include <unordered_map>
 
-#include "io/colmap/model_reader.h"
+#include "io/model/model_graph.h"
 
 namespace boxplus {
 namespace {

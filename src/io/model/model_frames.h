@@ -3,7 +3,7 @@
 #pragma once
 
 #include "boxplus/io/sparse_model.h"
-#include "io/colmap/graph_roles.h"
+#include "io/model/graph_roles.h"
 
 namespace boxplus {
 

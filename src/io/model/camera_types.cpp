@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/colmap/camera_types.h"
+#include "io/model/camera_types.h"
 
 #include <algorithm>
 #include <array>
