@@ -38,22 +38,32 @@ struct Problem {
   Problem(const Problem&) = delete;
 
   Eigen::Index kept() const { return hessian.rows() - eliminated; }
+};
+
+/// The results of dense matrices. They take most of the time, so each problem needs them only once.
+struct Reference {
   /// The Schur complement U − W (V + λD)⁻¹ Wᵀ. The kept blocks U are not damped.
-  Eigen::MatrixXd complement() const {
-    const Eigen::MatrixXd W = hessian.bottomLeftCorner(kept(), eliminated);
-    const Eigen::MatrixXd V = damped.topLeftCorner(eliminated, eliminated);
-    return hessian.bottomRightCorner(kept(), kept()) - W * V.llt().solve(W.transpose());
+  Eigen::MatrixXd complement;
+  Eigen::VectorXd r, x;  // a right-hand side, and the solution of the damped system
+
+  explicit Reference(const Problem& problem) {
+    const Eigen::Index kept = problem.kept(), eliminated = problem.eliminated;
+    const Eigen::MatrixXd W = problem.hessian.bottomLeftCorner(kept, eliminated);
+    const Eigen::MatrixXd V = problem.damped.topLeftCorner(eliminated, eliminated);
+    complement = problem.hessian.bottomRightCorner(kept, kept) - W * V.llt().solve(W.transpose());
+    r = Eigen::VectorXd::LinSpaced(problem.hessian.rows(), 1, 3);
+    x = problem.damped.llt().solve(r);
   }
 };
 
-void check_values(Problem& problem, Schur& schur) {
-  const Eigen::MatrixXd expected = problem.complement();
+void check_values(const Reference& reference, Schur& schur) {
+  const Eigen::MatrixXd& expected = reference.complement;
   const Eigen::MatrixXd actual = dense_matrix(schur.reduced_structure(), schur.reduced_values());
   EXPECT_LE((actual - expected).norm(), 1e-10 * expected.norm());
 }
 
-void check_operator(Problem& problem, Schur& schur) {
-  const Eigen::MatrixXd expected = problem.complement();
+void check_operator(const Reference& reference, Schur& schur) {
+  const Eigen::MatrixXd& expected = reference.complement;
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(expected.rows(), -1, 2);
   Eigen::VectorXd y(x.size());
   const ImplicitSchur implicit(schur);
@@ -97,30 +107,31 @@ void check_left_out_scalars(Problem& problem, Schur& schur) {
 }
 
 /// Checks that reduction, a dense solve and back substitution give the solution of the full system.
-void check_solution(Problem& problem, Schur& schur) {
-  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(problem.hessian.rows(), 1, 3);
-  Eigen::VectorXd reduced_r(problem.kept()), x(r.size());
-  schur.reduce(r.data(), reduced_r.data());
-  Eigen::MatrixXd S = problem.complement();
+void check_solution(const Problem& problem, const Reference& reference, Schur& schur) {
+  Eigen::VectorXd reduced_r(problem.kept()), x(reference.r.size());
+  schur.reduce(reference.r.data(), reduced_r.data());
+  Eigen::MatrixXd S = reference.complement;
   const Damping kept = schur.reduced_damping(problem.damping);
   for (Eigen::Index i = 0; i < S.rows(); ++i) S(i, i) += kept(static_cast<std::uint32_t>(i));
   const Eigen::VectorXd reduced_x = S.llt().solve(reduced_r);
-  schur.back_substitute(r.data(), reduced_x.data(), x.data());
-  const Eigen::VectorXd expected = problem.damped.llt().solve(r);
-  EXPECT_LE((x - expected).norm(), 1e-9 * expected.norm());
+  schur.back_substitute(reference.r.data(), reduced_x.data(), x.data());
+  EXPECT_LE((x - reference.x).norm(), 1e-9 * reference.x.norm());
 }
 
-void check_elimination(Problem& problem, bool explicit_values) {
+void check_elimination(Problem& problem) {
   const std::vector<double> before(problem.linearizer.values().begin(), problem.linearizer.values().end());
-  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values);
-  // The second elimination must overwrite the results of the first one.
-  for (int round = 0; round < 2; ++round) {
-    ASSERT_EQ(schur.eliminate(problem.linearizer.values(), problem.damping).status, LinearStatus::kOk);
-    EXPECT_EQ(schur.reduced_values().empty(), !explicit_values);
-    if (explicit_values) check_values(problem, schur);
-    check_operator(problem, schur);
-    check_solution(problem, schur);
-    if (explicit_values && problem.kept() > 6) check_left_out_scalars(problem, schur);
+  const Reference reference(problem);
+  for (const bool explicit_values : {true, false}) {
+    Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values);
+    // The second elimination must overwrite the results of the first one.
+    for (int round = 0; round < 2; ++round) {
+      ASSERT_EQ(schur.eliminate(problem.linearizer.values(), problem.damping).status, LinearStatus::kOk);
+      EXPECT_EQ(schur.reduced_values().empty(), !explicit_values);
+      if (explicit_values) check_values(reference, schur);
+      check_operator(reference, schur);
+      check_solution(problem, reference, schur);
+      if (explicit_values && problem.kept() > 6) check_left_out_scalars(problem, schur);
+    }
   }
   EXPECT_THAT(problem.linearizer.values(), testing::ElementsAreArray(before));
 }
@@ -132,23 +143,21 @@ INSTANTIATE_TEST_SUITE_P(Cameras, SchurOfBundle, testing::Values(2, 3, 5, 16),
 TEST_P(SchurOfBundle, EqualsTheDenseComplementWithoutDamping) {
   Problem problem(make_bundle(GetParam(), 200, true), 0, false);
   EXPECT_EQ(problem.plan.eliminated_blocks, 200u);
-  check_elimination(problem, true);
-  check_elimination(problem, false);
+  check_elimination(problem);
 }
 
 TEST_P(SchurOfBundle, EqualsTheDenseComplementWithIdentityDamping) {
   Problem problem(make_bundle(GetParam(), 200, true), 10, false);
-  check_elimination(problem, true);
-  check_elimination(problem, false);
+  check_elimination(problem);
 }
 
 TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
   Problem problem(make_bundle(GetParam(), 200, true), 0.1, true);
-  check_elimination(problem, true);
-  check_elimination(problem, false);
+  check_elimination(problem);
 }
 
-/// All results of an elimination: S, the reduced right-hand side, and the solution for given kept values.
+/// All results of an elimination: S, the reduced right-hand side, the solution for given kept values, and a
+/// product with S.
 std::vector<double> results(const Problem& problem, bool explicit_values, int threads, bool reduces_at_once) {
   Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values, threads);
   const std::size_t size = problem.plan.structure.scalars(), kept = schur.reduced_structure().scalars();
@@ -160,9 +169,12 @@ std::vector<double> results(const Problem& problem, bool explicit_values, int th
       LinearStatus::kOk);
   if (!reduces_at_once) schur.reduce(r.data(), reduced_r.data());
   schur.back_substitute(r.data(), r.data(), x.data());
+  std::vector<double> product(kept);
+  schur.multiply(r.data(), product.data());
   std::vector<double> all(schur.reduced_values().begin(), schur.reduced_values().end());
   all.insert(all.end(), reduced_r.begin(), reduced_r.end());
   all.insert(all.end(), x.begin(), x.end());
+  all.insert(all.end(), product.begin(), product.end());
   return all;
 }
 
@@ -234,8 +246,7 @@ TEST(Schur, AcceptsEdgesOfSeveralTypesAtTheSamePoints) {
   }
   Problem problem(std::move(bundle), 0.5, true);
   expect_equals_reference(problem.bundle.graph, problem.plan);
-  check_elimination(problem, true);
-  check_elimination(problem, false);
+  check_elimination(problem);
 }
 
 TEST(Schur, ReportsThePointThatOnlyOneCameraSees) {

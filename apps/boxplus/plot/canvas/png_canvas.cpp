@@ -2,6 +2,8 @@
 // Draws pictures in pixels. The part of a pixel that a line covers is computed from the distance between the
 // line and the center of the pixel, as with a box filter that is one pixel wide. The coverages of all lines
 // of a path are combined before the path is blended with the picture.
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -136,7 +138,9 @@ class PngCanvas final : public Canvas {
 
   static void chunk(std::string& file, std::string_view type, const std::string& data) {
     const std::string body = std::string(type) + data;
-    file += number(data.size()) + body + number(std::size_t{crc32(body)});
+    const auto checksum =
+        crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
+    file += number(data.size()) + body + number(std::size_t{checksum});
   }
 
   double resolution_;
