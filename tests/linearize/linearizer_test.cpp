@@ -260,7 +260,7 @@ TEST(Linearizer, ReportsEachBatchOfEliminatedColumnsWhenItsValuesAreFinal) {
     std::vector<std::uint32_t> starts(ends);
     std::vector<int> differences(ends.size(), 0);
     linearizer.linearize({}, groups, [&](const Linearizer::Batch& batch) {
-      const auto g = static_cast<std::size_t>(batch.group);
+      const auto g = static_cast<std::size_t>(batch.slice);
       const auto [first, last] = std::pair(batch.first, batch.last);
       if (starts[g] == BlockStructure::kAbsent) starts[g] = ends[g] = first;
       differences[g] += first != ends[g];

@@ -140,7 +140,7 @@ TEST_P(RecomputedColumns, AreReportedWithTheBitsThatWouldBeStored) {
   batch.linearize({}, static_cast<int>(differences.size()), [&](const Linearizer::Batch& b) {
     const std::span<const double> expected = all.values().subspan(
         stored_.first_value(b.first), stored_.first_value(b.last) - stored_.first_value(b.first));
-    const auto group = static_cast<std::size_t>(b.group);
+    const auto group = static_cast<std::size_t>(b.slice);
     differences[group] += !same_bits({b.values, expected.size()}, expected);
     columns[group] += b.last - b.first;
   });
