@@ -15,6 +15,7 @@ using GraphClass = py::class_<GraphObject, std::shared_ptr<GraphObject>>;
 
 void bind_error(py::module_& module);
 void bind_manifold(py::module_& module);
+void bind_landmarks(py::module_& module);
 void bind_camera(py::module_& module);
 void bind_kernel(py::module_& module);
 void bind_information(py::module_& module);
