@@ -46,6 +46,8 @@ from ._report import Precision as Precision
 from ._report import Report as Report
 from ._report import SchurMode as SchurMode
 from ._report import Start as Start
+from ._view import Viewer as Viewer
+from ._view import view as view
 
 Array = numpy.ndarray[Any, numpy.dtype[numpy.float64]]
 Ids = numpy.ndarray[Any, numpy.dtype[numpy.int64]]

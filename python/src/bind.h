@@ -31,5 +31,6 @@ void bind_covariance(py::module_& module);
 void bind_certificate(py::module_& module);
 void bind_diagnose(py::module_& module);
 void bind_outliers(py::module_& module);
+void bind_viewer(py::module_& module);
 
 }  // namespace boxplus::python

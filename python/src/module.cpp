@@ -24,5 +24,6 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_certificate(module);
   bind_diagnose(module);
   bind_outliers(module);
+  bind_viewer(module);
   module.attr("__name__") = name;
 }

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 from boxplus import (SE2, SE3, BalCamera, BatchedEdge, Between, Graph, Line3, Optimizer, Options, PinholeCamera, Plane3,
                      PlaneObservation3, PositionPrior, Prior, Reprojection, Sim3, StopFlag, Vector2, Vector3, VertexRef, certify, covariance, diagnose, find_outliers, load,
-                     optimize, plot, rows, se3_sigmas)
+                     optimize, plot, rows, se3_sigmas, view)
 
 
 class Distance(BatchedEdge):
@@ -56,7 +56,9 @@ scale: float = (Sim3() * Sim3()).scale() + graph.estimates((SE3, BalCamera))[1][
 graph.add_vertices(Sim3, None, np.ones((1, 8)))
 wall = graph.add_vertex(Plane3([1, 0, 0, -2], color=[1, 0, 0]))
 graph.add_edge(PlaneObservation3(Plane3().seen_from(SE3())), 3, wall, information=np.eye(3))
-edge_of_wall = graph.add_vertices(Line3, None, [Line3.through([1, 2, 3], [0, 0, 1]).vector()])
+with view(graph, name="walls") as viewer:
+    address: str = viewer.url
+graph.add_vertices(Line3, None, [Line3.through([1, 2, 3], [0, 0, 1]).vector()])
 """
 
 WRONG = """
