@@ -16,6 +16,7 @@ from ._pandas import report_to_pandas as _report_to_pandas
 from ._pickle import reduce_graph as _reduce_graph
 from ._report_text import report_text as _report_text
 from ._threads import awaited as _awaited, stoppable as _stoppable, stoppable_run as _stoppable_run
+from ._view import Viewer, view
 
 
 def _vector_class(size):
@@ -47,5 +48,5 @@ _boxplus.Report.edge_functions = ()
 _boxplus.Report.__repr__ = _report_text
 _boxplus.Report._repr_html_ = _report_as_html
 _boxplus.Report.to_pandas = _report_to_pandas
-__all__ = [name for name in vars(_boxplus) if not name.startswith("_")] + _VECTORS + ["BatchedEdge",
-                                                                                             "EdgeFunctionCost"]
+__all__ = [name for name in vars(_boxplus) if not name.startswith("_")] + _VECTORS + ["BatchedEdge", "EdgeFunctionCost",
+                                                                                             "Viewer", "view"]

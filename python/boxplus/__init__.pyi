@@ -29,6 +29,11 @@ from ._findings import Finding as Finding
 from ._findings import OutlierReport as OutlierReport
 from ._findings import Suspects as Suspects
 from ._findings import Verdict as Verdict
+from ._landmarks import Line3 as Line3
+from ._landmarks import LineObservation3 as LineObservation3
+from ._landmarks import Plane3 as Plane3
+from ._landmarks import PlaneDifference3 as PlaneDifference3
+from ._landmarks import PlaneObservation3 as PlaneObservation3
 from ._report import AlgorithmKind as AlgorithmKind
 from ._report import GaugeFreedom as GaugeFreedom
 from ._report import GaugePolicy as GaugePolicy
@@ -41,6 +46,8 @@ from ._report import Precision as Precision
 from ._report import Report as Report
 from ._report import SchurMode as SchurMode
 from ._report import Start as Start
+from ._view import Viewer as Viewer
+from ._view import view as view
 
 Array = numpy.ndarray[Any, numpy.dtype[numpy.float64]]
 Ids = numpy.ndarray[Any, numpy.dtype[numpy.int64]]
@@ -59,7 +66,7 @@ Camera = (
     | RadialFisheyeCamera
     | ThinPrismFisheyeCamera
 )
-Manifold = SO2 | SE2 | SO3 | SE3 | S2 | Sim3 | Camera
+Manifold = SO2 | SE2 | SO3 | SE3 | S2 | Sim3 | Plane3 | Line3 | Camera
 Estimate = Manifold | tuple[SE3, BalCamera] | ArrayLike
 VertexType = type[Manifold] | type[Array] | tuple[type[SE3], type[BalCamera]]
 

@@ -15,6 +15,7 @@ using GraphClass = py::class_<GraphObject, std::shared_ptr<GraphObject>>;
 
 void bind_error(py::module_& module);
 void bind_manifold(py::module_& module);
+void bind_landmarks(py::module_& module);
 void bind_camera(py::module_& module);
 void bind_kernel(py::module_& module);
 void bind_information(py::module_& module);
@@ -30,5 +31,6 @@ void bind_covariance(py::module_& module);
 void bind_certificate(py::module_& module);
 void bind_diagnose(py::module_& module);
 void bind_outliers(py::module_& module);
+void bind_viewer(py::module_& module);
 
 }  // namespace boxplus::python

@@ -10,6 +10,7 @@
 #include "members.h"
 #include "options_object.h"
 #include "search.h"
+#include "viewers_of_run.h"
 
 namespace boxplus::python {
 namespace {
@@ -33,7 +34,12 @@ Certificate certify_graph(GraphObject& graph, py::handle options, py::handle tol
                             .tolerance = read_number(tolerance, "tolerance"),
                             .max_escapes = read_int(max_escapes, "max_escapes")};
   GraphObject::Run run(graph);
-  return Search(run, object).run(native.options, [&] { return certify(run.graph(), native); });
+  const ViewersOfRun viewers(graph);
+  return Search(run, object).run(native.options, [&] {
+    Certificate certificate = certify(run.graph(), native);
+    viewers.update();
+    return certificate;
+  });
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "function_edges.h"
 #include "observer.h"
 #include "options_object.h"
+#include "viewers_of_run.h"
 
 namespace boxplus::python {
 namespace {
@@ -37,10 +38,12 @@ py::object optimize_graph(GraphObject& graph, py::handle options, const py::kwar
   const py::list costs = costs_of_functions(graph.read());
   GraphObject::Run run(graph);
   Observer observer(run, object.callback);
+  const ViewersOfRun viewers(graph);
   Report report;
   {
     const py::gil_scoped_release release;
-    report = optimize(run.graph(), native(object, observer));
+    report = optimize(run.graph(), viewers.watch(native(object, observer)));
+    viewers.show(report);
   }
   observer.rethrow();
   return with_costs(report, costs, run.graph());
@@ -57,11 +60,13 @@ class OptimizerObject {
     GraphObject::Run run(*graph_);
     const OptionsObject options = options_;
     Observer observer(run, options.callback);
+    const ViewersOfRun viewers(*graph_);
     Report report;
     {
       const py::gil_scoped_release release;
-      optimizer_.set_options(native(options, observer));
+      optimizer_.set_options(viewers.watch(native(options, observer)));
       report = optimizer_.run();
+      viewers.show(report);
     }
     observer.rethrow();
     return with_costs(report, costs, run.graph());

@@ -10,6 +10,7 @@
 #include "members.h"
 #include "options_object.h"
 #include "search.h"
+#include "viewers_of_run.h"
 
 namespace boxplus::python {
 namespace {
@@ -35,7 +36,12 @@ OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, 
                         .evidence = read_number(evidence, "evidence"),
                         .window = read_int(window, "window")};
   GraphObject::Run run(graph);
-  return Search(run, object).run(native.options, [&] { return find_outliers(run.graph(), native); });
+  const ViewersOfRun viewers(graph);
+  return Search(run, object).run(native.options, [&] {
+    OutlierReport found = find_outliers(run.graph(), native);
+    viewers.show(found.report);
+    return found;
+  });
 }
 
 /// An array of a member of each verdict.

@@ -8,13 +8,14 @@
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 #include "edge_kind.h"
+#include "landmark_values.h"
 
 namespace boxplus::python {
 std::span<const EdgeFamily> edge_families() {
   static constexpr EdgeFamily kFamilies[] = {
       {"Between",
        "Measures a pose, a rotation or a point relative to another one of the same type. Vertices: a, b."},
-      {"Prior", "Measures a pose, a rotation, a direction or a point in the world."},
+      {"Prior", "Measures a pose, a rotation, a direction, a point, a plane or a line in the world."},
       {"PositionPrior", "Measures the position of a pose in the world, for example by GPS."},
       {"PointObservation2", "Measures a point in the frame of a pose in the plane. Vertices: pose, point."},
       {"PointObservation3", "Measures a point in the frame of a pose in space. Vertices: pose, point."},
@@ -25,6 +26,14 @@ std::span<const EdgeFamily> edge_families() {
       {"BearingObservation2", "Measures the angle to a point (radians). Vertices: pose, point."},
       {"BearingObservation3", "Measures the direction of a point. Vertices: pose, point."},
       {"Range", "Measures the distance between a pose and a point (meters). Vertices: pose, point."},
+      {"PlaneObservation3",
+       "Measures a plane in the frame of a pose or of a sensor. Vertices: pose, plane; or pose, plane, "
+       "sensor."},
+      {"PlaneDifference3",
+       "Measures the difference of the coefficients of two planes, in the scale |n| = 1. Vertices: first, "
+       "second."},
+      {"LineObservation3",
+       "Measures a line in the frame of a pose or of a sensor. Vertices: pose, line; or pose, line, sensor."},
       {"Reprojection",
        "Measures the pixel at which a camera sees a point. Vertices: pose (T_world_camera), point, camera; "
        "or (pose, camera), point."},
@@ -50,6 +59,8 @@ std::span<const EdgeKind> edge_kinds() {
         edge_kind<Prior<SO3>, SO3>("Prior"),
         edge_kind<Prior<S2>, S2>("Prior"),
         edge_kind<Prior<Sim3>, Sim3>("Prior"),
+        edge_kind<Prior<Plane3>, Plane3>("Prior"),
+        edge_kind<Prior<Line3>, Line3>("Prior"),
         edge_kind<PositionPrior<Vector2>, SE2>("PositionPrior"),
         edge_kind<PositionPrior<Vector3>, SE3>("PositionPrior"),
         edge_kind<PointObservation2, SE2, Vector2>("PointObservation2"),
@@ -60,6 +71,11 @@ std::span<const EdgeKind> edge_kinds() {
         edge_kind<BearingObservation3, SE3, Vector3>("BearingObservation3"),
         edge_kind<Range, SE2, Vector2>("Range"),
         edge_kind<Range, SE3, Vector3>("Range"),
+        edge_kind<PlaneObservation3, SE3, Plane3>("PlaneObservation3"),
+        edge_kind<PlaneObservation3, SE3, Plane3, SE3>("PlaneObservation3"),
+        edge_kind<PlaneDifference3, Plane3, Plane3>("PlaneDifference3"),
+        edge_kind<LineObservation3, SE3, Line3>("LineObservation3"),
+        edge_kind<LineObservation3, SE3, Line3, SE3>("LineObservation3"),
     };
     for (EdgeKind& kind : camera_edge_kinds()) all.push_back(std::move(kind));
     return all;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
@@ -19,11 +20,13 @@ namespace py = pybind11;
 /// Forgets the results of the error functions of Python, which may give other results than before.
 void forget_results(const Graph& graph);
 
+class ViewerInterface;
+
 /// A run releases Python's lock (GIL). Other Python threads cannot touch the graph meanwhile: read() and
 /// write() throw InvalidArgument. The callback of a run may read the graph and exchange kernels.
 class GraphObject {
  public:
-  enum class Use { kFree, kRun, kCallback };
+  enum class Use { kFree, kRun, kCallback, kLent };
 
   GraphObject() = default;
   explicit GraphObject(GraphFile file) : file_(std::move(file)) {}
@@ -39,13 +42,26 @@ class GraphObject {
   }
   /// For changes that the callback of a run may make, too: kernels.
   Graph& write_kernels() {
-    require(use_ != Use::kRun);
+    require(is_readable());
     require_no_readers();
     return file_.graph;
   }
   const GraphFile& file() const {
-    require(use_ != Use::kRun);
+    require(is_readable());
     return file_;
+  }
+
+  void add_viewer(const std::shared_ptr<ViewerInterface>& viewer) {
+    std::erase_if(viewers_, [](const auto& other) { return other.expired(); });
+    viewers_.push_back(viewer);
+  }
+  /// The viewers that are open.
+  std::vector<std::shared_ptr<ViewerInterface>> viewers() const {
+    std::vector<std::shared_ptr<ViewerInterface>> open;
+    for (const auto& viewer : viewers_) {
+      if (auto shared = viewer.lock()) open.push_back(std::move(shared));
+    }
+    return open;
   }
 
   /// While it exists, nobody may change the graph. For functions that evaluate edges, because error functions
@@ -62,10 +78,11 @@ class GraphObject {
   };
 
   /// Begins a run, and ends it when it is destroyed. Only a thread that has the GIL may begin and end runs.
+  /// While the pages of a viewer may change the graph, the use is kLent.
   class Run {
    public:
-    explicit Run(GraphObject& graph) : graph_(&graph), native_(&graph.write()) {
-      graph.use_ = Use::kRun;
+    explicit Run(GraphObject& graph, Use use = Use::kRun) : graph_(&graph), native_(&graph.write()) {
+      graph.use_ = use;
       forget_results(*native_);
     }
     ~Run() { graph_->use_ = Use::kFree; }
@@ -81,11 +98,14 @@ class GraphObject {
   };
 
  private:
-  static void require(bool allowed) {
-    if (!allowed)
-      throw InvalidArgument(
-          "Graph: this graph is being optimized; until the run ends, only its callback may read the graph or "
-          "set kernels");
+  bool is_readable() const { return use_ == Use::kFree || use_ == Use::kCallback; }
+  void require(bool allowed) const {
+    if (allowed) return;
+    if (use_ == Use::kLent)
+      throw InvalidArgument("Graph: the pages of a viewer may change this graph; call its take_back() first");
+    throw InvalidArgument(
+        "Graph: this graph is being optimized; until the run ends, only its callback may read the graph or "
+        "set kernels");
   }
 
   void require_no_readers() const {
@@ -94,6 +114,7 @@ class GraphObject {
   }
 
   GraphFile file_;
+  std::vector<std::weak_ptr<ViewerInterface>> viewers_;
   Use use_ = Use::kFree;
   mutable int readers_ = 0;  // only threads with the GIL change it
 };

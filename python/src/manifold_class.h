@@ -79,9 +79,16 @@ constexpr bool takes_numbers(std::index_sequence<I...>) {
   return std::is_constructible_v<T, decltype(static_cast<double>(I))...>;
 }
 
-/// ⊞ and ⊟, comparison, copies, pickling and the text. from_row() makes a value of the bits of a row.
 template <class T>
-void bind_manifold_class(py::class_<T>& type, T (*from_row)(const double*)) {
+Numbers row_array(const T& x) {
+  return to_array(row_of(x));
+}
+
+/// ⊞ and ⊟, comparison, copies, pickling and the text. unpickled() makes a value of the bits of pickled(),
+/// which is the row if nothing else is said.
+template <class T>
+void bind_manifold_class(py::class_<T>& type, T (*unpickled)(const double*),
+                         Numbers (*pickled)(const T&) = &row_array<T>) {
   constexpr int kDim = Manifold<T>::kDim, kSize = Value<T>::kSize;
   type.def(
           "oplus",
@@ -101,8 +108,8 @@ void bind_manifold_class(py::class_<T>& type, T (*from_row)(const double*)) {
           "__eq__", [](const T& a, const T& b) { return row_of(a) == row_of(b); }, py::is_operator())
       .def("__copy__", [](const T& x) { return x; })
       .def("__deepcopy__", [](const T& x, const py::dict&) { return x; })
-      .def(py::pickle([](const T& x) { return to_array(row_of(x)); },
-                      [from_row](const Numbers& row) { return from_row(row.data()); }))
+      .def(py::pickle([pickled](const T& x) { return pickled(x); },
+                      [unpickled](const Numbers& numbers) { return unpickled(numbers.data()); }))
       .def("__repr__", [](const T& x) {
         std::string text;
         for (const double number : row_of(x))

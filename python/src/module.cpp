@@ -8,6 +8,7 @@ PYBIND11_MODULE(_boxplus, module) {
   module.attr("__name__") = "boxplus";  // so that classes, messages and pickles name the package
   bind_error(module);
   bind_manifold(module);
+  bind_landmarks(module);
   bind_camera(module);
   bind_kernel(module);
   bind_information(module);
@@ -23,5 +24,6 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_certificate(module);
   bind_diagnose(module);
   bind_outliers(module);
+  bind_viewer(module);
   module.attr("__name__") = name;
 }

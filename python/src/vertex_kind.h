@@ -11,22 +11,39 @@
 #include "boxplus/autodiff/dual_eigen.h"
 #include "boxplus/graph/differentiate.h"
 #include "boxplus/types/vertex_pools.h"
+#include "landmark_values.h"
 #include "values.h"
 #include "vertex_kinds.h"
 
 namespace boxplus::python {
 
-/// Quaternions from files have rounded digits.
+/// x ⊞ 0. Quaternions from files have rounded digits; planes and lines may have any scale.
 template <class T>
-const T& with_unit_quaternion(const T& x) {
+const T& normalized(const T& x) {
   return x;
 }
-inline SE3 with_unit_quaternion(const SE3& x) {
+inline SE3 normalized(const SE3& x) {
   return {x.translation(), x.quaternion()};
 }
 template <class Camera>
-Product<SE3, Camera> with_unit_quaternion(const Product<SE3, Camera>& x) {
-  return Product<SE3, Camera>(with_unit_quaternion(x.template get<0>()), x.template get<1>());
+Product<SE3, Camera> normalized(const Product<SE3, Camera>& x) {
+  return Product<SE3, Camera>(normalized(x.template get<0>()), x.template get<1>());
+}
+inline Plane3 normalized(const Plane3& x) {
+  return x.unit();
+}
+inline Line3 normalized(const Line3& x) {
+  const double zeros[4] = {};
+  return Manifold<Line3>::oplus(x, zeros);
+}
+
+/// The value of a row. What rows do not contain is taken from the old value.
+template <class T>
+T with_row(const T& /*old*/, const double* row) {
+  return Value<T>::from_row(row, {});
+}
+inline Plane3 with_row(const Plane3& old, const double* row) {
+  return {Value<Plane3>::from_row(row, {}).coefficients, old.color};
 }
 
 template <class T>
@@ -76,12 +93,15 @@ VertexKind vertex_kind() {
           },
       .get_row = [](const Graph& graph, VertexRef vertex,
                     double* row) { V::to_row(graph.estimate(VertexHandle<T>{vertex}), row); },
-      .set_row = [](Graph& graph, VertexRef vertex,
-                    const double* row) { graph.set_estimate(VertexHandle<T>{vertex}, V::from_row(row, {})); },
+      .set_row =
+          [](Graph& graph, VertexRef vertex, const double* row) {
+            const VertexHandle<T> handle{vertex};
+            graph.set_estimate(handle, with_row(graph.estimate(handle), row));
+          },
       .read =
           [](const detail::VertexPool& pool, std::uint32_t slot, double* row) {
             const T& x = static_cast<const detail::TypedVertexPool<T>&>(pool).value(slot);
-            V::to_row(with_unit_quaternion(x), row);
+            V::to_row(normalized(x), row);
           },
       .step = [](const double* row, const double* delta,
                  double* out) { V::to_row(Manifold<T>::oplus(V::from_row(row, {}), delta), out); },

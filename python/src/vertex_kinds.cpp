@@ -29,8 +29,9 @@ void append(const std::vector<VertexKind>& kinds, std::vector<VertexKind>& all) 
 
 std::span<const VertexKind> vertex_kinds() {
   static const auto kinds = [] {
-    std::vector<VertexKind> all{vertex_kind<SE2>(), vertex_kind<SE3>(), vertex_kind<SO2>(),
-                                vertex_kind<SO3>(), vertex_kind<S2>(),  vertex_kind<Sim3>()};
+    std::vector<VertexKind> all{vertex_kind<SE2>(),    vertex_kind<SE3>(),  vertex_kind<SO2>(),
+                                vertex_kind<SO3>(),    vertex_kind<S2>(),   vertex_kind<Sim3>(),
+                                vertex_kind<Plane3>(), vertex_kind<Line3>()};
     append(camera_vertex_kinds(), all);
     append(vector_kinds(std::make_integer_sequence<int, int{kMostNumbers} - 3>()),
            all);  // any list is a vector

@@ -30,7 +30,7 @@ struct VertexKind {
   void (*set_estimate)(Graph&, VertexRef, py::handle estimate);
   void (*get_row)(const Graph&, VertexRef, double* row);
   void (*set_row)(Graph&, VertexRef, const double* row);
-  /// The row of the vertex in a slot of a pool of this kind; quaternions have unit length.
+  /// The row of x ⊞ 0, for the vertex x in a slot of a pool of this kind: quaternions have unit length.
   void (*read)(const detail::VertexPool&, std::uint32_t slot, double* row);
   /// The row of x ⊞ δ, for a row of x.
   void (*step)(const double* row, const double* delta, double* out);

@@ -62,9 +62,9 @@ def build_module(folder, build):
     return package, package.with_name("g2o")
 
 
-def needed_libraries(module):
-    """The shared libraries, as {name: path}, that the module needs and that a machine may not have."""
-    text = subprocess.run(["ldd", str(module)], check=True, capture_output=True, text=True).stdout
+def needed_libraries(modules):
+    """The shared libraries, as {name: path}, that the modules need and that a machine may not have."""
+    text = "".join(subprocess.run(["ldd", str(module)], check=True, capture_output=True, text=True).stdout for module in modules)
     found = dict(re.findall(r"^\s*(\S+) => (\S+)", text, re.MULTILINE))
     return {name: path for name, path in found.items() if not SYSTEM_LIBRARIES.match(name)}
 
@@ -112,8 +112,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         wheel = Wheel(pathlib.Path(wheel_directory) / name)
         for path in (*sorted(package.iterdir()), *sorted(g2o.iterdir())):
             wheel.add(f"{path.parent.name}/{path.name}", path.read_bytes())
-        module = next(package.glob("_boxplus*.so"))
-        libraries = needed_libraries(module)
+        libraries = needed_libraries(package.glob("_*.so"))  # _boxplus, and _viewer if there is one
         for name_of_package, path in sorted(licenses_of(libraries).items()):
             wheel.add(f"{info}/licenses/{name_of_package}", path.read_bytes())
         for library, path in sorted(libraries.items()):

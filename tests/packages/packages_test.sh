@@ -76,7 +76,11 @@ if [[ "${packages[*]}" == *python3-boxplus* ]]; then
   PYTHONPATH="$folder" /usr/bin/python3 -B -c "
 import boxplus
 assert boxplus.__file__.startswith('$root'), boxplus.__file__
-assert boxplus.optimize(boxplus.load('$work/graph.g2o')).converged()
+graph = boxplus.load('$work/graph.g2o')
+assert boxplus.optimize(graph).converged()
+import urllib.request
+with boxplus.view(graph) as viewer:
+    assert urllib.request.urlopen(viewer.url, timeout=20).status == 200
 import g2o
 assert g2o.__file__.startswith('$root'), g2o.__file__
 assert g2o.SparseOptimizer().load('$work/graph.g2o')"

@@ -13,10 +13,13 @@ name = boxplus_wheel.build_wheel('$work', {'build-dir': '$build'})
 print(name, file=sys.stderr)" 2>&1 >/dev/null | tail -1)"
 "$python" -m zipfile -e "$work/$wheel" "$work/unpacked"
 
-# The module uses the libraries in the wheel, and no path of the build.
-module="$(find "$work/unpacked/boxplus" -name '_boxplus*.so')"
-ldd "$module" | grep -E 'lib(amd|camd|fmt|suitesparse)' | grep -v "$work/unpacked/boxplus" && fail "the wheel lacks libraries"
-readelf -d "$module" | grep -qF "$build" && fail "the module contains the path of the build"
+# The modules use the libraries in the wheel, and no path of the build.
+mapfile -t modules < <(find "$work/unpacked/boxplus" -name '_*.so')
+((${#modules[@]} >= 1)) || fail "the wheel has no module"
+for module in "${modules[@]}"; do
+  ldd "$module" | grep -E 'lib(amd|camd|fmt|suitesparse|cpp-httplib)' | grep -v "$work/unpacked/boxplus" && fail "the wheel lacks libraries"
+  readelf -d "$module" | grep -qF "$build" && fail "the module contains the path of the build"
+done
 
 cd "$work"
 PYTHONPATH="$work/unpacked" "$python" -c "
@@ -27,7 +30,13 @@ graph = boxplus.Graph()
 a, b = graph.add_vertex(boxplus.SE2(0, 0, 0)), graph.add_vertex(boxplus.SE2(0, 0, 0))
 graph.fix(a)
 graph.add_edge(boxplus.Between(boxplus.SE2(1, 2, 0.5)), a, b)
-assert boxplus.optimize(graph).converged()"
+assert boxplus.optimize(graph).converged()
+if any('_viewer' in module for module in '${modules[*]}'.split()):
+    import urllib.request
+    with boxplus.view(graph) as viewer, urllib.request.urlopen(viewer.url, timeout=20) as page:
+        assert page.status == 200
+else:
+    print('SKIPPED: the viewer')"
 
 # pip accepts the wheel, with the digest of each file.
 if "$python" -m pip --version >/dev/null 2>&1; then

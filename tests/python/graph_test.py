@@ -84,7 +84,7 @@ class Vertices(unittest.TestCase):
                 (ValueError, "vertex: expected an int of at most 64 bits", lambda: graph.estimate(2**70)),
                 (InvalidArgument, "", lambda: graph.estimate(other.vertex(0))),
                 (InvalidArgument, "", lambda: graph.add_vertex(SE2(), 0)),
-                (TypeError, "estimate: expected one of SE2, SE3, SO2, SO3, S2, Sim3, BalCamera", lambda: graph.add_vertex(range(13))),
+                (TypeError, "estimate: expected one of SE2, SE3, SO2, SO3, S2, Sim3, Plane3, Line3, BalCamera", lambda: graph.add_vertex(range(13))),
                 (TypeError, "estimate: expected an SE2, got SE3", lambda: graph.set_estimate(0, SE3()))):
             with self.subTest(text), self.assertRaises(error) as raised:
                 function()
@@ -114,6 +114,8 @@ class Edges(unittest.TestCase):
         graph = Graph()
         pose, point, pose3, point3 = (graph.add_vertex(x) for x in (SE2(), [1, 2], SE3(), [1, 2, 3]))
         sensor, sensor3 = graph.add_parameter(SE2(0.1, 0, 0)), graph.add_parameter(SE3())
+        x_plane, x_line = boxplus.Plane3(), boxplus.Line3([1, 0, 0], [0, 0, 1])
+        plane, line = graph.add_vertex(x_plane), graph.add_vertex(x_line)
         for edge, vertices in (
                 (Prior(SE2()), (pose,)), (Prior(SE3()), (pose3,)), (Prior([1, 2]), (point,)),
                 (Prior([1, 2, 3]), (point3,)), (boxplus.PositionPrior([1, 2]), (pose,)),
@@ -123,7 +125,12 @@ class Edges(unittest.TestCase):
                 (boxplus.OffsetPointObservation3([1, 2, 3]), (pose3, point3, sensor3)),
                 (boxplus.BearingObservation2(0.5), (pose, point)),
                 (boxplus.BearingObservation3([1, 0, 0]), (pose3, point3)), (boxplus.Range(2), (pose, point)),
-                (boxplus.Range(2.5), (pose3, point3))):
+                (boxplus.Range(2.5), (pose3, point3)), (Prior(x_plane), (plane,)), (Prior(x_line), (line,)),
+                (boxplus.PlaneObservation3(x_plane), (pose3, plane)),
+                (boxplus.PlaneObservation3(x_plane), (pose3, plane, sensor3)),
+                (boxplus.PlaneDifference3([0, 0, 0, 1]), (plane, graph.add_vertex(x_plane))),
+                (boxplus.LineObservation3(x_line), (pose3, line)),
+                (boxplus.LineObservation3(x_line), (pose3, line, sensor3))):
             added = graph.add_edge(edge, *vertices)
             self.assertEqual(numbers(graph.measurement(added)), numbers(edge.measurement))
             self.assertTrue(np.isfinite(graph.chi2(added)))

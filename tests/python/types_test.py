@@ -21,9 +21,9 @@ RIGHT = """
 from typing import Any
 
 import numpy as np
-from boxplus import (SE2, SE3, BalCamera, BatchedEdge, Between, Graph, Optimizer, Options, PinholeCamera, PositionPrior, Prior,
-                     Reprojection, Sim3, StopFlag, Vector2, Vector3, VertexRef, certify, covariance, diagnose, find_outliers, load,
-                     optimize, plot, rows, se3_sigmas)
+from boxplus import (SE2, SE3, BalCamera, BatchedEdge, Between, Graph, Line3, Optimizer, Options, PinholeCamera, Plane3,
+                     PlaneObservation3, PositionPrior, Prior, Reprojection, Sim3, StopFlag, Vector2, Vector3, VertexRef, certify, covariance, diagnose, find_outliers, load,
+                     optimize, plot, rows, se3_sigmas, view)
 
 
 class Distance(BatchedEdge):
@@ -54,6 +54,11 @@ pixels = PinholeCamera(500, 500, 320, 240).project(np.ones((2, 3)))
 graph.add_edges(Reprojection, 3, ids, camera, measurements=pixels)
 scale: float = (Sim3() * Sim3()).scale() + graph.estimates((SE3, BalCamera))[1][0, 7] + certify(graph).bound
 graph.add_vertices(Sim3, None, np.ones((1, 8)))
+wall = graph.add_vertex(Plane3([1, 0, 0, -2], color=[1, 0, 0]))
+graph.add_edge(PlaneObservation3(Plane3().seen_from(SE3())), 3, wall, information=np.eye(3))
+with view(graph, name="walls") as viewer:
+    address: str = viewer.url
+graph.add_vertices(Line3, None, [Line3.through([1, 2, 3], [0, 0, 1]).vector()])
 """
 
 WRONG = """
