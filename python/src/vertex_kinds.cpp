@@ -32,7 +32,7 @@ std::span<const VertexKind> vertex_kinds() {
     std::vector<VertexKind> all{vertex_kind<SE2>(), vertex_kind<SE3>(), vertex_kind<SO2>(),
                                 vertex_kind<SO3>(), vertex_kind<S2>(),  vertex_kind<Sim3>()};
     append(camera_vertex_kinds(), all);
-    append(vector_kinds(std::make_integer_sequence<int, int{kMostNumbers} - 3>()),
+    append(vector_kinds(std::make_integer_sequence<int, int{kMostNumbersOfVector} - 3>()),
            all);  // any list is a vector
     return all;
   }();
