@@ -11,13 +11,19 @@ from numpy.typing import ArrayLike
 from . import rows as rows
 from ._report import Enum
 from ._cameras import BalCamera as BalCamera
+from ._cameras import DivisionCamera as DivisionCamera
+from ._cameras import EucmCamera as EucmCamera
+from ._cameras import FisheyeCamera as FisheyeCamera
 from ._cameras import FovCamera as FovCamera
 from ._cameras import FullOpenCvCamera as FullOpenCvCamera
 from ._cameras import OpenCvCamera as OpenCvCamera
 from ._cameras import OpenCvFisheyeCamera as OpenCvFisheyeCamera
 from ._cameras import PinholeCamera as PinholeCamera
+from ._cameras import RadTanThinPrismFisheyeCamera as RadTanThinPrismFisheyeCamera
 from ._cameras import RadialCamera as RadialCamera
 from ._cameras import RadialFisheyeCamera as RadialFisheyeCamera
+from ._cameras import SimpleDivisionCamera as SimpleDivisionCamera
+from ._cameras import SimpleFisheyeCamera as SimpleFisheyeCamera
 from ._cameras import SimplePinholeCamera as SimplePinholeCamera
 from ._cameras import SimpleRadialCamera as SimpleRadialCamera
 from ._cameras import SimpleRadialFisheyeCamera as SimpleRadialFisheyeCamera
@@ -65,6 +71,12 @@ Camera = (
     | SimpleRadialFisheyeCamera
     | RadialFisheyeCamera
     | ThinPrismFisheyeCamera
+    | RadTanThinPrismFisheyeCamera
+    | SimpleDivisionCamera
+    | DivisionCamera
+    | SimpleFisheyeCamera
+    | FisheyeCamera
+    | EucmCamera
 )
 Manifold = SO2 | SE2 | SO3 | SE3 | S2 | Sim3 | Plane3 | Line3 | Camera
 Estimate = Manifold | tuple[SE3, BalCamera] | ArrayLike

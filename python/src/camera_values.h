@@ -38,6 +38,18 @@ template <>
 inline constexpr std::string_view kCameraName<RadialFisheyeCamera> = "RadialFisheyeCamera";
 template <>
 inline constexpr std::string_view kCameraName<ThinPrismFisheyeCamera> = "ThinPrismFisheyeCamera";
+template <>
+inline constexpr std::string_view kCameraName<RadTanThinPrismFisheyeCamera> = "RadTanThinPrismFisheyeCamera";
+template <>
+inline constexpr std::string_view kCameraName<SimpleDivisionCamera> = "SimpleDivisionCamera";
+template <>
+inline constexpr std::string_view kCameraName<DivisionCamera> = "DivisionCamera";
+template <>
+inline constexpr std::string_view kCameraName<SimpleFisheyeCamera> = "SimpleFisheyeCamera";
+template <>
+inline constexpr std::string_view kCameraName<FisheyeCamera> = "FisheyeCamera";
+template <>
+inline constexpr std::string_view kCameraName<EucmCamera> = "EucmCamera";
 
 /// The names of the parameters, with spaces between them, as a constant.
 template <class Model>

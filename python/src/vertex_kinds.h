@@ -39,8 +39,8 @@ struct VertexKind {
   py::object (*object_of_row)(const double* row);
 };
 
-/// The most numbers of a row.
-inline constexpr std::size_t kMostNumbers = 12;
+/// The most numbers of a row, and of a vector.
+inline constexpr std::size_t kMostNumbers = 16, kMostNumbersOfVector = 12;
 
 std::span<const VertexKind> vertex_kinds();
 /// A part of vertex_kinds(): cameras.

@@ -30,7 +30,7 @@ struct GaugeComponent {
 
 struct Gauge {
   std::vector<GaugeComponent> components;
-  std::vector<GaugeVertex> held;
+  std::vector<detail::GaugeVertex> held;
   std::vector<TangentDirection> held_directions;  ///< held directions of vertices that are not fully held
   std::vector<detail::GaugeFreedom> freedoms;
   /// One vertex of each component that has no anchor, but in which every similarity changes an error. Such a

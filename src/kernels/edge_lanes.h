@@ -230,13 +230,17 @@ void for_lane_sizes(int rows, const int* dims, int arity, F&& f) {
   offer(Sizes<2, 9, 3>());
   offer(Sizes<2, 10, 3>());
   offer(Sizes<2, 11, 3>());
+  offer(Sizes<2, 12, 3>());
   offer(Sizes<2, 14, 3>());
   offer(Sizes<2, 18, 3>());
+  offer(Sizes<2, 22, 3>());
   offer(Sizes<2, 6, 3, 3>());
   offer(Sizes<2, 6, 3, 4>());
   offer(Sizes<2, 6, 3, 5>());
+  offer(Sizes<2, 6, 3, 6>());
   offer(Sizes<2, 6, 3, 8>());
   offer(Sizes<2, 6, 3, 12>());
+  offer(Sizes<2, 6, 3, 16>());
 }
 
 /// The kernel for edges of these sizes, or null if there is none.

@@ -149,7 +149,7 @@ inline const EliminationKernels* elimination_kernels_for(int rows, int dim) {
   const auto look_in = [&]<int... R>(std::integer_sequence<int, R...>) {
     ((rows == R ? void(found = elimination_kernels_of<R>(dim)) : void()), ...);
   };
-  look_in(std::integer_sequence<int, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 18>());
+  look_in(std::integer_sequence<int, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 22>());
   return found;
 }
 

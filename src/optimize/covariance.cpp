@@ -54,7 +54,7 @@ class CovarianceMaker {
 
   /// Finds the block of each vertex in H. Vertices that do not move have no block.
   void list(std::span<const VertexRef> vertices) {
-    for (const GaugeVertex& gauge : plan().held) result_.held_.push_back(gauge.vertex);
+    for (const detail::GaugeVertex& gauge : plan().held) result_.held_.push_back(gauge.vertex);
     result_.held_.insert(result_.held_.end(), system_.held().begin(), system_.held().end());
     for (const VertexRef& vertex : vertices) {
       const int dim = graph_.tangent_dim(vertex);
@@ -81,7 +81,7 @@ class CovarianceMaker {
 
   bool is_gauge(const detail::GaugeFreedom& freedom) const {
     if (options_.gauge != GaugePolicy::kFixFirst) return false;
-    const auto is_it = [&](const GaugeVertex& gauge) { return gauge.vertex == freedom.vertex; };
+    const auto is_it = [&](const detail::GaugeVertex& gauge) { return gauge.vertex == freedom.vertex; };
     if (std::any_of(plan().held.begin(), plan().held.end(), is_it)) return true;
     detail::Frame frame;
     graph_.vertex_pools()[freedom.vertex.pool]->get_frame(freedom.vertex.slot, frame);

@@ -102,7 +102,7 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
   report.robust_edges = counts.robust;
   report.linear = system.linear_solver().statistics();
   report.workers = std::max(system.linearizer().workers(), report.linear.workers);
-  for (const GaugeVertex& gauge : plan.held) report.gauge.held.push_back(gauge.id);
+  for (const detail::GaugeVertex& gauge : plan.held) report.gauge.held.push_back(gauge.id);
   report.gauge.free = plan.freedoms;
   for (const EdgeList& list : plan.edges) {
     const detail::EdgePool& pool = *graph.edge_pools()[list.pool];

@@ -129,7 +129,7 @@ ActiveSet find_active_set(const Graph& graph, const PlanRequest& request) {
   active.edges = active_edges(graph, request, movable);
   std::vector<VertexRef> vertices = touched_vertices(graph, active, movable, request.stop);
   active.gauge = find_gauge(graph, active.edges, movable, request.gauge, request.stop);
-  for (const GaugeVertex& held : active.gauge.held) std::erase(vertices, held.vertex);
+  for (const detail::GaugeVertex& held : active.gauge.held) std::erase(vertices, held.vertex);
   number_blocks(graph, std::move(vertices), active, request.stop);
   return active;
 }

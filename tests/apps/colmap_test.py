@@ -92,6 +92,9 @@ class ColmapTest(CommandCase):
             for value, other, shift in zip(pose, moved[frame[15]], [0] * 4 + [-offset, 0, 0], strict=True):
                 self.assertAlmostEqual(value + shift, other, 12)
         self.assertEqual(run("info", out).returncode, 0)
+        self.assertEqual(run("convert", out, self.path / "rig.json").returncode, 0)
+        chi2 = [json.loads(run("info", graph, "--json", "-").stdout)["chi2"] for graph in (out, self.path / "rig.json")]
+        self.assertAlmostEqual(*chi2, 12)
         (out / "frames.txt").write_text(texts["frames.txt"], encoding="utf-8")
         self.assert_refused(run("info", out), "frames.txt:2:41: expected frame 2 where image 3 is, got a pose that differs")
 

@@ -81,8 +81,8 @@ TEST_P(EdgeLanes, StoreTheValuesOfEachEdgeInItsOwnLane) {
 
 TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
   std::mt19937 random(1);
-  constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6},  {2, 3, 2},  {3, 6, 3},  {2, 6, 3},
-                               {2, 9, 3}, {2, 10, 3}, {2, 11, 3}, {2, 14, 3}, {2, 18, 3}};
+  constexpr int kSizes[][3] = {{3, 3, 3},  {6, 6, 6},  {2, 3, 2},  {3, 6, 3},  {2, 6, 3},  {2, 9, 3},
+                               {2, 10, 3}, {2, 11, 3}, {2, 12, 3}, {2, 14, 3}, {2, 18, 3}, {2, 22, 3}};
   for (const auto& [rows, dim_i, dim_j] : kSizes) {
     const dense::AddEdges add_edges = add_edges_for(rows, {dim_i, dim_j});
     ASSERT_NE(add_edges, nullptr);
@@ -183,7 +183,7 @@ void expect_every_block_with_camera(int dim) {
 }
 
 TEST_P(EdgeLanes, AddEveryBlockOfAnEdgeWithThreeVertices) {
-  for (const int dim : {3, 4, 5, 8, 12}) expect_every_block_with_camera(dim);
+  for (const int dim : {3, 4, 5, 6, 8, 12, 16}) expect_every_block_with_camera(dim);
 }
 
 TEST_P(EdgeLanes, AddTheSameBitsForAnEdgeWhicheverEdgesShareItsTile) {

@@ -30,7 +30,7 @@ constexpr auto kPositionPrior = [](const auto& pose) { return pose.translation()
 
 std::vector<Id> held_ids(const Plan& plan) {
   std::vector<Id> ids;
-  for (const GaugeVertex& held : plan.held) ids.push_back(held.id);
+  for (const detail::GaugeVertex& held : plan.held) ids.push_back(held.id);
   return ids;
 }
 

@@ -11,14 +11,18 @@ import boxplus
 import numpy as np
 from boxplus import (SE3, SO3, BalCamera, Between, FovCamera, FullOpenCvCamera, Graph, OpenCvCamera, OpenCvFisheyeCamera,
                      PinholeCamera, RadialCamera, RadialFisheyeCamera, Reprojection, SimplePinholeCamera, SimpleRadialCamera,
-                     SimpleRadialFisheyeCamera, ThinPrismFisheyeCamera, Vector3, optimize)
+                     SimpleRadialFisheyeCamera, ThinPrismFisheyeCamera, Vector3, RadTanThinPrismFisheyeCamera, SimpleDivisionCamera,
+                     DivisionCamera, SimpleFisheyeCamera, FisheyeCamera, EucmCamera, optimize)
 
 CAMERAS = (BalCamera(500, -0.1, 0.02), SimplePinholeCamera(500, 320, 240), PinholeCamera(500, 510, 320, 240),
            SimpleRadialCamera(500, 320, 240, 0.1), RadialCamera(500, 320, 240, 0.1, -0.02),
            OpenCvCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3), OpenCvFisheyeCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3),
            FullOpenCvCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3, 1e-3, 0.01, 0.02, 1e-3), FovCamera(500, 510, 320, 240, 0.5),
            SimpleRadialFisheyeCamera(500, 320, 240, 0.1), RadialFisheyeCamera(500, 320, 240, 0.1, -0.02),
-           ThinPrismFisheyeCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3, 1e-3, 1e-4, 1e-3, 1e-3))
+           ThinPrismFisheyeCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3, 1e-3, 1e-4, 1e-3, 1e-3),
+           RadTanThinPrismFisheyeCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3, 1e-3, 1e-4, 1e-3, 2e-3, 3e-3, 1e-3, 2e-3, 1e-3),
+           SimpleDivisionCamera(500, 320, 240, -0.1), DivisionCamera(500, 510, 320, 240, -0.1), SimpleFisheyeCamera(500, 320, 240),
+           FisheyeCamera(500, 510, 320, 240), EucmCamera(500, 510, 320, 240, 0.6, 1.1))
 POSE = SE3([0.3, -0.2, 0.1], SO3.from_rotation_vector([0.02, -0.03, 0.1]))
 BAL = """1 2 2
 0 0 12.5 -20.25

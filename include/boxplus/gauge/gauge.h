@@ -19,15 +19,15 @@ enum class GaugePolicy : std::uint8_t {
   kError  ///< stop with Report::Reason::kGaugeFreedom
 };
 
+}  // namespace boxplus
+
+namespace boxplus::detail {
+
 /// A vertex that is held at its estimate to remove the gauge freedom of its component.
 struct GaugeVertex {
   VertexRef vertex;
   Id id = 0;
 };
-
-}  // namespace boxplus
-
-namespace boxplus::detail {
 
 /// Motions of all poses and points of a component that change no error. Vertices without a frame, such as a
 /// focal length, may have to change along with them.

@@ -129,8 +129,8 @@ struct Plan {
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
-  int workers = 1;                ///< the number of threads that linearize, at most one per chunk
-  std::vector<GaugeVertex> held;  ///< GaugePolicy::kFixFirst
+  int workers = 1;                        ///< the number of threads that linearize, at most one per chunk
+  std::vector<detail::GaugeVertex> held;  ///< GaugePolicy::kFixFirst
   std::vector<detail::GaugeFreedom> freedoms;  ///< the freedom that remains if the vertices `held` are held
   /// The entries of a step that are held at zero because of `freedoms` (GaugePolicy::kFixFirst).
   std::vector<std::uint32_t> held_scalars;

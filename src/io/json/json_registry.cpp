@@ -9,7 +9,8 @@
 namespace boxplus {
 namespace {
 
-/// The tags of one camera model: the camera as a parameter and as a vertex, and the observations of both.
+/// The tags of one camera model: the camera as a parameter and as a vertex, and the observations of both. On
+/// a rig, the pose of the sensor is a parameter or a vertex like the camera.
 template <class Camera>
 void register_camera(Registry& registry) {
   const std::string name(Camera::kName);
@@ -21,6 +22,10 @@ void register_camera(Registry& registry) {
                                                                        "0 2 20 1.5 2.5 1 0 1");
   registry.edge<Reprojection<Camera>, SE3, Vector3, Camera>("EDGE_REPROJECTION_CALIB_" + name,
                                                             "0 2 20 1.5 2.5 1 0 1");
+  registry.edge<Reprojection<Camera>, SE3, Vector3, Parameter<SE3>, Parameter<Camera>>(
+      "EDGE_REPROJECTION_RIG_" + name, "0 2 5 20 1.5 2.5 1 0 1");
+  registry.edge<Reprojection<Camera>, SE3, Vector3, SE3, Camera>("EDGE_REPROJECTION_RIG_CALIB_" + name,
+                                                                 "0 2 5 20 1.5 2.5 1 0 1");
 }
 
 }  // namespace

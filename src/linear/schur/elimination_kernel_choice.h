@@ -31,7 +31,7 @@ class EliminationKernelChoice {
 
  private:
   /// There are no kernels for larger blocks.
-  static constexpr int kMostRows = 18, kMostDim = 6;
+  static constexpr int kMostRows = 22, kMostDim = 6;
   std::array<std::array<const dense::EliminationKernels*, kMostDim + 1>, kMostRows + 1> choice_;
 };
 

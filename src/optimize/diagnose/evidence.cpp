@@ -215,7 +215,7 @@ void Evidence::list_vertices() {
   };
   vertices.reserve(active.block_vertex.size() + active.gauge.held.size());
   for (const VertexRef& vertex : active.block_vertex) add(vertex);
-  for (const GaugeVertex& held : active.gauge.held) add(held.vertex);
+  for (const detail::GaugeVertex& held : active.gauge.held) add(held.vertex);
   hessian_.assign(values, 0.0);
   gradient_.assign(scalars, 0.0);
 }

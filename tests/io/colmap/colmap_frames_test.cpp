@@ -159,6 +159,17 @@ TEST(ColmapFrames, HaveTheNewPoseOfTheirImage) {
   EXPECT_EQ(model.frames[0].pose.translation, model.images[0].translation);
 }
 
+TEST(ColmapFrames, HaveTheSameErrorsInJson) {
+  const GraphFile file = read({});
+  const std::string text = format_graph(file, {.format = "json"});
+  EXPECT_THAT(text, HasSubstr(R"({"tag": "EDGE_REPROJECTION_RIG_PINHOLE", "ids": [11, 104, 12, 2], )"));
+  const GraphFile again = parse_graph(text, "g.json");
+  EXPECT_EQ(chi2_of_edges(again), chi2_of_edges(file));
+  EXPECT_TRUE(again.graph.is_fixed(*again.graph.find_parameter(12)));
+  EXPECT_FALSE(again.graph.is_fixed(*again.graph.find_parameter(2)));
+  EXPECT_EQ(format_graph(again), text);
+}
+
 TEST(ColmapFrames, MoveAllImagesOfARig) {
   GraphFile file = read({});
   file.graph.set_estimate(file.graph.vertex<SE3>(11), SE3(Vector3(-4, -5, -6), SO3()));

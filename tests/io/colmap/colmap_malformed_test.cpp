@@ -132,8 +132,8 @@ TEST_F(ColmapBinary, IsRefusedAtOnceIfACountDoesNotFitIntoTheFile) {
 }
 
 TEST_F(ColmapBinary, NamesTheByteOfAnError) {
-  EXPECT_THAT(complaint_after("cameras.bin", 12, 11, 4),
-              StartsWith("cameras.bin:1:13: expected a camera model from 0 to 10 (SIMPLE_PINHOLE, "));
+  EXPECT_THAT(complaint_after("cameras.bin", 12, 17, 4),
+              StartsWith("cameras.bin:1:13: expected a camera model from 0 to 16 (SIMPLE_PINHOLE, "));
   EXPECT_EQ(complaint_after("points3D.bin", 16, std::bit_cast<std::uint64_t>(std::nan("")), 8),
             "points3D.bin:1:17: expected a coordinate of the point (a finite number), got nan");
   EXPECT_EQ(complaint_after("images.bin", 68, 99, 4),

@@ -136,6 +136,92 @@ TEST(CameraModels, ProjectAsTheirDefinitionsSay) {
   EXPECT_NEAR(FovCamera(100, 100, 0, 0, 0).project(Vector3(0, 1, 2))[1], 100 * 0.5, 1e-12);
 }
 
+TEST(CameraModels, OfTheProjectAriaProjectAsTheirDefinitionSays) {
+  // At 45°, along (3, 4)/5: a = 0.6, b = 0.8.
+  const double theta = std::atan(1.0), t2 = theta * theta;
+  double power = 1, radius = theta;
+  for (const double k : {0.1, -0.02, 0.03, 0.01, -0.05, 0.02}) radius += k * (power *= t2) * theta;
+  const double u = 0.6 * radius, v = 0.8 * radius, r2 = u * u + v * v;
+  const RadTanThinPrismFisheyeCamera camera(100, 200, 10, 20, 0.1, -0.02, 0.03, 0.01, -0.05, 0.02, 0.01, 0.02,
+                                            0.03, 0.04, 0.05, 0.06);
+  const Vector2 pixel = camera.project(Vector3(3, 4, 5));
+  const double x = u + 0.01 * (2 * u * u + r2) + 2 * 0.02 * u * v + 0.03 * r2 + 0.04 * r2 * r2;
+  const double y = v + 0.02 * (2 * v * v + r2) + 2 * 0.01 * u * v + 0.05 * r2 + 0.06 * r2 * r2;
+  EXPECT_NEAR(pixel[0], 100 * x + 10, 1e-12);
+  EXPECT_NEAR(pixel[1], 200 * y + 20, 1e-12);
+}
+
+TEST(CameraModels, OfDivisionAreInvertedByADivision) {
+  for (const double k : {-0.4, -0.1, 0.0, 0.15}) {
+    const Vector2 pixel = DivisionCamera(100, 200, 10, 20, k).project(Vector3(1, -2, 2));
+    const Vector2 distorted((pixel[0] - 10) / 100, (pixel[1] - 20) / 200);
+    EXPECT_LE((distorted / (1 + k * distorted.squaredNorm()) - Vector2(0.5, -1)).norm(), 1e-14) << k;
+    EXPECT_EQ(SimpleDivisionCamera(100, 10, 20, k).project(Vector3(1, -2, 2))[0], pixel[0]);
+  }
+}
+
+TEST(CameraModels, OfDivisionSeeNoPointWithoutASolution) {
+  const DivisionCamera camera(1, 1, 0, 0, 0.25);  // the discriminant is 1 − r²
+  EXPECT_TRUE(camera.sees(Vector3(0.99, 0, 1)));
+  EXPECT_FALSE(camera.sees(Vector3(1, 0, 1)));
+  EXPECT_FALSE(camera.sees(Vector3(0, 1.5, 1)));
+  EXPECT_FALSE(camera.sees(Vector3(0.1, 0, -1)));
+  // There, the image is continued: farther points have farther images.
+  double last = 0;
+  for (const double r : {0.0, 0.5, 0.99, 1 - 1e-12, 1.0, 1 + 1e-12, 1.01, 1.5, 3.0, 100.0}) {
+    const Vector3 point(r, 0, 1);
+    const double image = camera.project(point)[0];
+    EXPECT_GE(image, last) << r;
+    last = image;
+    if (std::abs(r - 1) > 1e-6) expect_same_as_dual_numbers(camera, point);
+  }
+  EXPECT_NEAR(camera.project(Vector3(1, 0, 1))[0], 2, 1e-15);
+}
+
+TEST(CameraModels, HaveASmoothRootWhereADiscriminantVanishes) {
+  constexpr double kEnd = detail::kSmallDivisor * detail::kSmallDivisor;
+  for (const double end : {-kEnd, kEnd}) {
+    const auto inside = detail::root(end * (1 - 1e-12)), outside = detail::root(end * (1 + 1e-12));
+    EXPECT_NEAR(inside.value / outside.value, 1, 1e-11);
+    EXPECT_NEAR(inside.slope / outside.slope, 1, 1e-10);
+    EXPECT_GT(inside.value / end, 0);
+  }
+  EXPECT_EQ(detail::root(0.0).value, 0);
+  EXPECT_EQ(detail::root(-4.0).value, -2);
+  EXPECT_EQ(detail::root(4.0).slope, 0.25);
+}
+
+TEST(CameraModels, OfEquidistantFisheyesMeasureTheAngle) {
+  const double theta = std::atan2(5, 2);
+  const Vector2 pixel = FisheyeCamera(100, 200, 10, 20).project(Vector3(3, 4, 2));
+  EXPECT_NEAR(pixel[0], 100 * 0.6 * theta + 10, 1e-12);
+  EXPECT_NEAR(pixel[1], 200 * 0.8 * theta + 20, 1e-12);
+  EXPECT_EQ(SimpleFisheyeCamera(100, 10, 20).project(Vector3(3, 4, 2))[0], pixel[0]);
+}
+
+TEST(CameraModels, OfTheEnhancedUnifiedModelProjectAsTheirDefinitionSays) {
+  // d = √(2 · 25 + 4).
+  const double d = std::sqrt(54.0), s = 1 / (0.6 * d + 0.4 * 2);
+  const Vector2 pixel = EucmCamera(100, 200, 10, 20, 0.6, 2).project(Vector3(3, 4, 2));
+  EXPECT_NEAR(pixel[0], 100 * s * 3 + 10, 1e-12);
+  EXPECT_NEAR(pixel[1], 200 * s * 4 + 20, 1e-12);
+}
+
+TEST(CameraModels, OfTheEnhancedUnifiedModelSeePointsWhereTheirImageGrows) {
+  const Vector3 beside(1, 0, -0.1), behind(1, 0, -2);
+  EXPECT_TRUE(EucmCamera(1, 1, 0, 0, 0.6, 1).sees(beside));
+  EXPECT_FALSE(EucmCamera(1, 1, 0, 0, 0.6, 1).sees(behind));  // farther back, the radius decreases
+  EXPECT_TRUE(EucmCamera(1, 1, 0, 0, 0.3, 1).sees(beside));
+  EXPECT_FALSE(EucmCamera(1, 1, 0, 0, 0.3, 1).sees(behind));  // the denominator is negative
+  EXPECT_FALSE(EucmCamera(1, 1, 0, 0, 0, 1).sees(beside));
+  EXPECT_FALSE(EucmCamera(1, 1, 0, 0, 1.1, 1).sees(Vector3(0, 0, 1)));
+  EXPECT_FALSE(EucmCamera(1, 1, 0, 0, 0.5, -1).sees(Vector3(0, 0, 1)));
+  for (const double alpha : {0.0, 0.3, 0.6, 1.0}) {
+    for (const double beta : {1.5, -1.5})
+      expect_same_as_dual_numbers(EucmCamera(100, 110, 5, 6, alpha, beta), Vector3(0.7, -0.9, -0.4), 1e-11);
+  }
+}
+
 TEST(CameraModels, ContainEachOther) {
   const Vector3 point(0.3, -0.4, 1.2);
   const Vector2 full = FullOpenCvCamera(500, 510, 320, 240, 0.1, 0.2, 0.01, 0.02, 0, 0, 0, 0).project(point);
@@ -144,6 +230,17 @@ TEST(CameraModels, ContainEachOther) {
             RadialCamera(500, 320, 240, 0.1, 0.2).project(point));
   EXPECT_EQ(ThinPrismFisheyeCamera(500, 510, 320, 240, 0.1, 0.2, 0, 0, 0.3, 0.4, 0, 0).project(point),
             OpenCvFisheyeCamera(500, 510, 320, 240, 0.1, 0.2, 0.3, 0.4).project(point));
+  EXPECT_LE((RadTanThinPrismFisheyeCamera(500, 510, 320, 240, 0.1, 0.2, 0.3, 0.4, 0, 0, 0, 0, 0, 0, 0, 0)
+                 .project(point) -
+             OpenCvFisheyeCamera(500, 510, 320, 240, 0.1, 0.2, 0.3, 0.4).project(point))
+                .norm(),
+            1e-12);
+  EXPECT_EQ(DivisionCamera(500, 510, 320, 240, 0).project(point),
+            PinholeCamera(500, 510, 320, 240).project(point));
+  EXPECT_EQ(FisheyeCamera(500, 510, 320, 240).project(point),
+            OpenCvFisheyeCamera(500, 510, 320, 240, 0, 0, 0, 0).project(point));
+  EXPECT_EQ(EucmCamera(500, 510, 320, 240, 0, 1).project(point),
+            PinholeCamera(500, 510, 320, 240).project(point));
   EXPECT_EQ(RadialFisheyeCamera(500, 320, 240, 0.1, 0).project(point),
             SimpleRadialFisheyeCamera(500, 320, 240, 0.1).project(point));
 }
@@ -162,9 +259,11 @@ TEST(CameraModels, OfFovAgreeOnBothSidesOfTheirSeries) {
 TEST(CameraModels, HaveTheNamesOfColmap) {
   std::vector<std::string_view> names;
   for_each_camera([&](const auto& camera) { names.push_back(camera.kName); });
-  EXPECT_THAT(names, testing::ElementsAre("BAL", "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL",
-                                          "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV",
-                                          "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("BAL", "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV",
+                                   "OPENCV_FISHEYE", "FULL_OPENCV", "FOV", "SIMPLE_RADIAL_FISHEYE",
+                                   "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE", "RAD_TAN_THIN_PRISM_FISHEYE",
+                                   "SIMPLE_DIVISION", "DIVISION", "SIMPLE_FISHEYE", "FISHEYE", "EUCM"));
   EXPECT_THAT(OpenCvCamera::Model::kParameters,
               testing::ElementsAre("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"));
 }

@@ -15,13 +15,21 @@ namespace boxplus {
 template <class Camera>
 Camera example_camera() {
   static const std::map<std::string_view, double> values{
-      {"f", 500},   {"fx", 500},   {"fy", 510},   {"cx", 320},    {"cy", 240},   {"k", -0.1},
-      {"k1", -0.1}, {"k2", 0.03},  {"k3", 0.01},  {"k4", 0.02},   {"k5", 0.05},  {"k6", -0.01},
-      {"p1", 2e-3}, {"p2", -3e-3}, {"sx1", 1e-3}, {"sy1", -2e-3}, {"omega", 0.9}};
+      {"f", 500},     {"fx", 500},    {"fy", 510},    {"cx", 320},   {"cy", 240},
+      {"k", -0.1},    {"k1", -0.1},   {"k2", 0.03},   {"k3", 0.01},  {"k4", 0.02},
+      {"k5", 0.05},   {"k6", -0.01},  {"p1", 2e-3},   {"p2", -3e-3}, {"sx1", 1e-3},
+      {"sy1", -2e-3}, {"omega", 0.9}, {"alpha", 0.6}, {"beta", 1.1}};
   Camera camera;
   for (int i = 0; i < Camera::kSize; ++i)
     camera.parameters[i] = values.at(Camera::Model::kParameters[static_cast<std::size_t>(i)]);
   return camera;
+}
+
+/// Moderate also behind the camera, where θ¹² is 9e5.
+template <>
+inline RadTanThinPrismFisheyeCamera example_camera() {
+  return RadTanThinPrismFisheyeCamera(500, 510, 320, 240, 0.04, -0.01, 1e-3, 1e-4, -1e-5, 1e-6, 2e-3, -3e-3,
+                                      1e-3, -2e-4, 3e-3, 1e-4);
 }
 
 /// Calls f(camera) with an example of every camera.

@@ -71,7 +71,8 @@ struct BasicCamera {
   }
 
   /// Whether the model describes the pixel of this point: the point is in front of the camera (a fisheye sees
-  /// all directions but straight back), and no denominator of the distortion is zero or negative.
+  /// all directions but straight back), no denominator is zero or negative, and no root is that of a negative
+  /// number.
   template <class Derived>
   bool sees(const Eigen::MatrixBase<Derived>& point) const {
     const S p[3] = {S(point[0]), S(point[1]), S(point[2])};

@@ -129,6 +129,50 @@ struct ThinPrismFisheyeModel : TwoFocalLengths {
   using Lens = FisheyeLens<Distortion<Terms<0, 1, 4, 5>, Terms<>, 2, 6>>;
 };
 
+/// The camera of Engel et al., "Project Aria: a new tool for egocentric multi-modal AI research" (2023).
+struct RadTanThinPrismFisheyeModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "RAD_TAN_THIN_PRISM_FISHEYE";
+  static constexpr int kColmapId = 11;
+  static constexpr auto kParameters =
+      names("fx", "fy", "cx", "cy", "k0", "k1", "k2", "k3", "k4", "k5", "p0", "p1", "s0", "s1", "s2", "s3");
+  using Lens = FisheyeLens<Composition<Distortion<Terms<0, 1, 2, 3, 4, 5>>, DecenteredPrism>>;
+};
+
+struct SimpleDivisionModel : OneFocalLength {
+  static constexpr std::string_view kName = "SIMPLE_DIVISION";
+  static constexpr int kColmapId = 12;
+  static constexpr auto kParameters = names("f", "cx", "cy", "k");
+  using Lens = PlaneLens<Division>;
+};
+
+struct DivisionModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "DIVISION";
+  static constexpr int kColmapId = 13;
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy", "k");
+  using Lens = PlaneLens<Division>;
+};
+
+struct SimpleFisheyeModel : OneFocalLength {
+  static constexpr std::string_view kName = "SIMPLE_FISHEYE";
+  static constexpr int kColmapId = 14;
+  static constexpr auto kParameters = names("f", "cx", "cy");
+  using Lens = FisheyeLens<Distortion<Terms<>>>;
+};
+
+struct FisheyeModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "FISHEYE";
+  static constexpr int kColmapId = 15;
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy");
+  using Lens = FisheyeLens<Distortion<Terms<>>>;
+};
+
+struct EucmModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "EUCM";
+  static constexpr int kColmapId = 16;
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy", "alpha", "beta");
+  using Lens = detail::Lens<EnhancedUnifiedMapping, Distortion<Terms<>>>;
+};
+
 }  // namespace detail
 
 using BalCamera = BasicCamera<detail::BalModel>;
@@ -143,6 +187,12 @@ using SimpleRadialFisheyeCamera = BasicCamera<detail::SimpleRadialFisheyeModel>;
 using RadialFisheyeCamera = BasicCamera<detail::RadialFisheyeModel>;
 using FovCamera = BasicCamera<detail::FovModel>;
 using ThinPrismFisheyeCamera = BasicCamera<detail::ThinPrismFisheyeModel>;
+using RadTanThinPrismFisheyeCamera = BasicCamera<detail::RadTanThinPrismFisheyeModel>;
+using SimpleDivisionCamera = BasicCamera<detail::SimpleDivisionModel>;
+using DivisionCamera = BasicCamera<detail::DivisionModel>;
+using SimpleFisheyeCamera = BasicCamera<detail::SimpleFisheyeModel>;
+using FisheyeCamera = BasicCamera<detail::FisheyeModel>;
+using EucmCamera = BasicCamera<detail::EucmModel>;
 
 namespace detail {
 
@@ -164,9 +214,11 @@ struct CameraTypes {
 };
 
 /// All cameras of boxplus.
-using CameraList = CameraTypes<BalCamera, SimplePinholeCamera, PinholeCamera, SimpleRadialCamera,
-                               RadialCamera, OpenCvCamera, OpenCvFisheyeCamera, FullOpenCvCamera, FovCamera,
-                               SimpleRadialFisheyeCamera, RadialFisheyeCamera, ThinPrismFisheyeCamera>;
+using CameraList =
+    CameraTypes<BalCamera, SimplePinholeCamera, PinholeCamera, SimpleRadialCamera, RadialCamera, OpenCvCamera,
+                OpenCvFisheyeCamera, FullOpenCvCamera, FovCamera, SimpleRadialFisheyeCamera,
+                RadialFisheyeCamera, ThinPrismFisheyeCamera, RadTanThinPrismFisheyeCamera,
+                SimpleDivisionCamera, DivisionCamera, SimpleFisheyeCamera, FisheyeCamera, EucmCamera>;
 
 }  // namespace detail
 

@@ -6,7 +6,7 @@
 //   tangential (decentering): (2 p1 u v + p2 (r² + 2u²), 2 p2 u v + p1 (r² + 2v²))
 //   thin prism:               (s1 r², s2 r²)
 // These are the terms of Brown, "Decentering distortion of lenses" (1966), and of Weng, Cohen and Herniou,
-// "Camera calibration with distortion models and accuracy evaluation" (1992).
+// "Camera calibration with distortion models and accuracy evaluation" (1992). The other maps are at the end.
 //
 // The functions are generic in the scalar S: double, a dual number, or a pack of SIMD lanes. A pack needs the
 // operators + − * /, comparisons, sqrt(), tan() and atan2(), a constructor from double, and
@@ -50,6 +50,27 @@ Inverse<S> inverse(const S& x) {
   const S exact = 1.0 / choose(is_large, x, S(1.0));
   return {choose(is_large, exact, S(x * kScale * (2.0 - square))),
           choose(is_large, S(-exact * exact), S(kScale * (2.0 - 3.0 * square)))};
+}
+
+template <class S>
+struct Root {
+  S value, slope;
+};
+
+/// √x and its derivative. A negative x has the root −√−x. Where the root is below kSmallDivisor, an odd
+/// polynomial joins both branches with a continuous derivative, so that the result is finite for every finite
+/// x.
+template <class S>
+Root<S> root(const S& x) {
+  using std::sqrt;
+  constexpr double kScale = 1 / (kSmallDivisor * kSmallDivisor);
+  const auto is_negative = x < 0.0;
+  const S size = choose(is_negative, S(-x), x), scaled = size * kScale;
+  const auto is_large = scaled >= 1.0;
+  const S exact = sqrt(choose(is_large, size, S(1.0))), square = scaled * scaled;
+  const S value = choose(is_large, exact, S(kSmallDivisor * scaled * (1.25 - 0.25 * square)));
+  return {choose(is_negative, S(-value), value),
+          choose(is_large, S(0.5 / exact), S((1.25 - 0.75 * square) / kSmallDivisor))};
 }
 
 template <class S>
@@ -168,6 +189,110 @@ struct Distortion {
         J_k[2 * (kPrism + i) + 1 - i] = S(0.0);
       }
     }
+  }
+};
+
+/// Decentering and thin prism with the parameters p0, p1, s0, s1, s2, s3 of Engel et al., "Project Aria: a
+/// new tool for egocentric multi-modal AI research" (2023):
+///   d(u) = u + p r² + 2 (pᵀu) u + (s0 r² + s1 r⁴, s2 r² + s3 r⁴)
+struct DecenteredPrism {
+  static constexpr int kSize = 6;
+
+  template <class S, class J>
+  static void apply(const S* u, const S* k, S* d, J J_u, J J_k) {
+    const S x = u[0] * u[0] + u[1] * u[1], twice = 2.0 * (k[0] * u[0] + k[1] * u[1]);
+    for (int i = 0; i < 2; ++i) {
+      const S p = k[i], s = k[2 + 2 * i], t = k[3 + 2 * i];
+      d[i] = u[i] + p * x + twice * u[i] + (s + t * x) * x;
+      if constexpr (kWanted<J>) {
+        const S along_u = 2.0 * (p + s + 2.0 * t * x);
+        for (int j = 0; j < 2; ++j) {
+          J_u[2 * j + i] = along_u * u[j] + 2.0 * u[i] * k[j];
+          J_k[2 * j + i] = 2.0 * u[i] * u[j];
+        }
+        J_u[3 * i] = J_u[3 * i] + twice + 1.0;
+        J_k[3 * i] = J_k[3 * i] + x;
+        for (int m = 2; m < kSize; ++m) J_k[2 * m + i] = S(0.0);
+        J_k[2 * (2 + 2 * i) + i] = x;
+        J_k[2 * (3 + 2 * i) + i] = x * x;
+      }
+    }
+  }
+
+  template <class S>
+  static bool is_defined(const S* /*u*/, const S* /*k*/) {
+    return true;
+  }
+};
+
+/// Second after First, whose parameters come first.
+template <class First, class Second>
+struct Composition {
+  static constexpr int kSize = First::kSize + Second::kSize;
+
+  template <class S, class J>
+  static void apply(const S* u, const S* k, S* d, J J_u, J J_k) {
+    S v[2];
+    if constexpr (!kWanted<J>) {
+      First::apply(u, k, v, nullptr, nullptr);
+      Second::apply(v, k + First::kSize, d, nullptr, nullptr);
+    } else {
+      S J_v[4];
+      First::apply(u, k, v, J_u, J_k);
+      Second::apply(v, k + First::kSize, d, static_cast<J>(J_v), J_k + 2 * First::kSize);
+      multiply<2>(J_v, J_u);
+      multiply<First::kSize>(J_v, J_k);
+    }
+  }
+
+  template <class S>
+  static bool is_defined(const S* u, const S* k) {
+    S v[2];
+    First::apply(u, k, v, nullptr, nullptr);
+    return First::is_defined(u, k) && Second::is_defined(v, k + First::kSize);
+  }
+
+ private:
+  /// B ← A B, where A is 2 × 2.
+  template <int kColumns, class S>
+  static void multiply(const S* A, S* B) {
+    for (int m = 0; m < kColumns; ++m) {
+      const S first = B[2 * m], second = B[2 * m + 1];
+      B[2 * m] = A[0] * first + A[2] * second;
+      B[2 * m + 1] = A[1] * first + A[3] * second;
+    }
+  }
+};
+
+/// The division model of Fitzgibbon, "Simultaneous linear estimation of multiple view geometry and lens
+/// distortion" (2001), with one parameter k: u = d/(1 + k |d|²). With the discriminant D = 1 − 4 k r², the
+/// solution that is u for k = 0 is d = R u with R = 2/(1 + √D). If D < 0, there is no solution. Then R
+/// continues to increase, to 4, by the reflection of its graph at D = 0: R = 4 − 2/(1 + √−D).
+struct Division {
+  static constexpr int kSize = 1;
+
+  template <class S, class J>
+  static void apply(const S* u, const S* k, S* d, J J_u, J J_k) {
+    const S x = u[0] * u[0] + u[1] * u[1], D = 1.0 - 4.0 * k[0] * x;
+    const Root<S> signed_root = root(D);
+    const auto is_negative = D < 0.0;
+    const S size = choose(is_negative, S(-signed_root.value), signed_root.value), half = 1.0 / (1.0 + size);
+    const S R = choose(is_negative, S(4.0 - 2.0 * half), S(2.0 * half));
+    d[0] = R * u[0];
+    d[1] = R * u[1];
+    if constexpr (kWanted<J>) {
+      const S slope = 8.0 * half * half * signed_root.slope;  // −4 ∂R/∂D
+      const S twice = 2.0 * k[0] * slope;
+      J_u[0] = R + twice * u[0] * u[0];
+      J_u[1] = J_u[2] = twice * u[0] * u[1];
+      J_u[3] = R + twice * u[1] * u[1];
+      for (int i = 0; i < 2; ++i) J_k[i] = slope * x * u[i];
+    }
+  }
+
+  template <class S>
+  static bool is_defined(const S* u, const S* k) {
+    return 1.0 - 4.0 * k[0] * (u[0] * u[0] + u[1] * u[1]) > 0.0;
   }
 };
 

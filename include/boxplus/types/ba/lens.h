@@ -6,14 +6,17 @@
 //   ∂(s x, s y)/∂(x, y) = s I + 2 s_q (x, y)(x, y)ᵀ,   ∂/∂z = s_z (x, y)ᵀ
 #pragma once
 
+#include <array>
+
 #include "boxplus/types/ba/distortion.h"
 
 namespace boxplus::detail {
 
-/// s and its partial derivatives with respect to q, to z, and to the parameter of the mapping, if it has one.
-template <class S>
+/// s and its partial derivatives with respect to q, to z, and to the parameters of the mapping.
+template <class S, int kParameters = 0>
 struct ImageScale {
-  S value, by_q, by_z, by_parameter;
+  S value, by_q, by_z;
+  std::array<S, kParameters> by_parameters = {};
 };
 
 /// The pinhole: s = 1/z. It continues to negative z, where it mirrors the point in the center of the camera.
@@ -23,7 +26,7 @@ struct PlaneMapping {
   template <class S>
   static ImageScale<S> scale(const S& /*q*/, const S& z, const S* /*k*/) {
     const Inverse<S> inverted = inverse(z);
-    return {inverted.value, S(0.0), inverted.slope, S(0.0)};
+    return {inverted.value, S(0.0), inverted.slope};
   }
   template <class S>
   static bool sees(const S& /*q*/, const S& z, const S* /*k*/) {
@@ -49,7 +52,7 @@ struct FisheyeMapping {
     const S g2 = g.value * g.value, x = q * g2;
     return {choose(is_near, S(g.value * (1.0 + x * (x * 0.2 - 1.0 / 3.0))), s),
             choose(is_near, S(g.value * g2 * (0.4 * x - 1.0 / 3.0)), S((z / distance2 - s) / (2.0 * square))),
-            choose(is_near, S(g.slope * (1.0 - x)), S(-1.0 / distance2)), S(0.0)};
+            choose(is_near, S(g.slope * (1.0 - x)), S(-1.0 / distance2))};
   }
   template <class S>
   static bool sees(const S& q, const S& z, const S* /*k*/) {
@@ -64,7 +67,7 @@ struct FovMapping {
   static constexpr int kSize = 1;
 
   template <class S>
-  static ImageScale<S> scale(const S& q, const S& z, const S* k) {
+  static ImageScale<S, kSize> scale(const S& q, const S& z, const S* k) {
     using std::tan;
     const S omega = k[0], omega2 = omega * omega;
     const S a = 2.0 * tan(S(0.5 * omega)), a_slope = 1.0 + 0.25 * a * a;
@@ -78,13 +81,40 @@ struct FovMapping {
         choose(is_small, S(omega * (1.0 / 6 + omega2 * (1.0 / 30 + omega2 * (17.0 / 3360)))),
                S((a_slope - ratio) / divisor));
     const ImageScale<S> t = FisheyeMapping::scale(S(a * a * q), z, k);
-    return {S(ratio * t.value), S(ratio * a * a * t.by_q), S(ratio * t.by_z),
-            S(ratio_slope * t.value + ratio * t.by_q * 2.0 * a * a_slope * q)};
+    return {S(ratio * t.value),
+            S(ratio * a * a * t.by_q),
+            S(ratio * t.by_z),
+            {S(ratio_slope * t.value + ratio * t.by_q * 2.0 * a * a_slope * q)}};
   }
   template <class S>
   static bool sees(const S& /*q*/, const S& z, const S* k) {
     constexpr double kHalfTurn = 3.14159265358979323846;
     return z > kSmallDivisor && k[0] > -kHalfTurn && k[0] < kHalfTurn;
+  }
+};
+
+/// The enhanced unified camera model of Khomutenko, Garcia and Martinet, "An enhanced unified camera model"
+/// (2016), with the parameters α from 0 to 1 and β > 0: s = 1/(α d + (1 − α) z) with d = √(β q + z²). α = 0
+/// is the pinhole.
+struct EnhancedUnifiedMapping {
+  static constexpr int kSize = 2;
+
+  template <class S>
+  static ImageScale<S, kSize> scale(const S& q, const S& z, const S* k) {
+    const S alpha = k[0], beta = k[1];
+    const Root<S> d = root(S(beta * q + z * z));
+    const Inverse<S> s = inverse(S(alpha * d.value + (1.0 - alpha) * z));
+    return {s.value,
+            S(s.slope * alpha * beta * d.slope),
+            S(s.slope * (1.0 - alpha + 2.0 * alpha * z * d.slope)),
+            {S(s.slope * (d.value - z)), S(s.slope * alpha * q * d.slope)}};
+  }
+  /// Farther from the axis, the denominator is not positive, or the radius of the image decreases again.
+  template <class S>
+  static bool sees(const S& q, const S& z, const S* k) {
+    const S alpha = k[0], beta = k[1], d = root(S(beta * q + z * z)).value;
+    return alpha >= 0.0 && alpha <= 1.0 && beta > 0.0 && alpha * d + (1.0 - alpha) * z > kSmallDivisor &&
+           alpha * z + (1.0 - alpha) * d > 0.0;
   }
 };
 
@@ -99,7 +129,7 @@ struct Lens {
   template <class S, class J>
   static void project(const S* p, const S* k, S* image, J J_p, J J_k) {
     const S q = p[0] * p[0] + p[1] * p[1];
-    const ImageScale<S> s = Mapping::scale(q, S(kForward * 1.0 * p[2]), k);
+    const ImageScale<S, Mapping::kSize> s = Mapping::scale(q, S(kForward * 1.0 * p[2]), k);
     const S u[2] = {s.value * p[0], s.value * p[1]};
     if constexpr (!kWanted<J>) {
       Distorted::apply(u, k + Mapping::kSize, image, nullptr, nullptr);
@@ -113,7 +143,8 @@ struct Lens {
         J_p[i] = J_u[i] * along_x + J_u[2 + i] * mixed;
         J_p[2 + i] = J_u[i] * mixed + J_u[2 + i] * along_y;
         J_p[4 + i] = kForward * 1.0 * s.by_z * radial;
-        if constexpr (Mapping::kSize == 1) J_k[i] = s.by_parameter * radial;
+        for (int m = 0; m < Mapping::kSize; ++m)
+          J_k[2 * m + i] = s.by_parameters[static_cast<std::size_t>(m)] * radial;
       }
     }
   }
