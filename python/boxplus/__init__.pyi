@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import rows as rows
 from ._report import Enum
 from ._cameras import BalCamera as BalCamera
+from ._cameras import CalibratedReprojection as CalibratedReprojection
 from ._cameras import FovCamera as FovCamera
 from ._cameras import FullOpenCvCamera as FullOpenCvCamera
 from ._cameras import OpenCvCamera as OpenCvCamera
@@ -270,6 +271,11 @@ class BearingObservation3(Edge): ...
 class Range(Edge): ...
 class Reprojection(Edge): ...
 
+class Constraint:
+    @property
+    def edge(self) -> Any: ...
+    def __init__(self, edge: Edge | type[Edge] | BatchedEdge | Callable[..., Any]) -> None: ...
+
 class VertexRef:
     pool: int
     slot: int
@@ -322,7 +328,7 @@ class Graph:
     def stack_size(self) -> int: ...
     def clear(self) -> None: ...
     def add_edge(
-        self, edge: Edge | Callable[..., Any], *vertices: Vertex, information: float | ArrayLike = 1.0
+        self, edge: Edge | Callable[..., Any] | Constraint, *vertices: Vertex, information: float | ArrayLike = 1.0
     ) -> EdgeRef: ...
     def measurement(self, edge: EdgeRef) -> Any: ...
     def set_measurement(self, edge: EdgeRef, measurement: Estimate | float) -> None: ...
@@ -350,10 +356,11 @@ class Graph:
     def set_estimates(self, type: VertexType, ids: ArrayLike, estimates: ArrayLike) -> None: ...
     def add_edges(
         self,
-        type: type[Edge] | BatchedEdge | Callable[..., Any],
+        type: type[Edge] | BatchedEdge | Callable[..., Any] | Constraint,
         *vertices: Vertex | ArrayLike,
         measurements: ArrayLike | None = None,
         informations: ArrayLike = 1.0,
+        camera: Camera | None = None,
     ) -> list[EdgeRef]: ...
     notes: list[Note]
     format: str

@@ -6,7 +6,7 @@ from typing import overload
 
 from numpy.typing import ArrayLike
 
-from . import Array
+from . import Array, Camera, Edge
 
 class BalCamera:
     parameters: Array
@@ -175,3 +175,7 @@ class ThinPrismFisheyeCamera:
     def sees(self, point: ArrayLike) -> bool: ...
     def oplus(self, delta: ArrayLike) -> ThinPrismFisheyeCamera: ...
     def ominus(self, x: ThinPrismFisheyeCamera) -> Array: ...
+
+class CalibratedReprojection(Edge):
+    camera: Camera
+    def __init__(self, measurement: ArrayLike, camera: Camera) -> None: ...
