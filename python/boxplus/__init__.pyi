@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from . import rows as rows
 from ._report import Enum
 from ._cameras import BalCamera as BalCamera
+from ._cameras import CalibratedReprojection as CalibratedReprojection
 from ._cameras import DivisionCamera as DivisionCamera
 from ._cameras import EucmCamera as EucmCamera
 from ._cameras import FisheyeCamera as FisheyeCamera
@@ -282,6 +283,11 @@ class BearingObservation3(Edge): ...
 class Range(Edge): ...
 class Reprojection(Edge): ...
 
+class Constraint:
+    @property
+    def edge(self) -> Any: ...
+    def __init__(self, edge: Edge | type[Edge] | BatchedEdge | Callable[..., Any]) -> None: ...
+
 class VertexRef:
     pool: int
     slot: int
@@ -334,7 +340,7 @@ class Graph:
     def stack_size(self) -> int: ...
     def clear(self) -> None: ...
     def add_edge(
-        self, edge: Edge | Callable[..., Any], *vertices: Vertex, information: float | ArrayLike = 1.0
+        self, edge: Edge | Callable[..., Any] | Constraint, *vertices: Vertex, information: float | ArrayLike = 1.0
     ) -> EdgeRef: ...
     def measurement(self, edge: EdgeRef) -> Any: ...
     def set_measurement(self, edge: EdgeRef, measurement: Estimate | float) -> None: ...
@@ -362,10 +368,11 @@ class Graph:
     def set_estimates(self, type: VertexType, ids: ArrayLike, estimates: ArrayLike) -> None: ...
     def add_edges(
         self,
-        type: type[Edge] | BatchedEdge | Callable[..., Any],
+        type: type[Edge] | BatchedEdge | Callable[..., Any] | Constraint,
         *vertices: Vertex | ArrayLike,
         measurements: ArrayLike | None = None,
         informations: ArrayLike = 1.0,
+        camera: Camera | None = None,
     ) -> list[EdgeRef]: ...
     notes: list[Note]
     format: str

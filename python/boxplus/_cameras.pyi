@@ -6,7 +6,7 @@ from typing import overload
 
 from numpy.typing import ArrayLike
 
-from . import Array
+from . import Array, Camera, Edge
 
 class BalCamera:
     parameters: Array
@@ -259,3 +259,7 @@ class EucmCamera:
     def sees(self, point: ArrayLike) -> bool: ...
     def oplus(self, delta: ArrayLike) -> EucmCamera: ...
     def ominus(self, x: EucmCamera) -> Array: ...
+
+class CalibratedReprojection(Edge):
+    camera: Camera
+    def __init__(self, measurement: ArrayLike, camera: Camera) -> None: ...

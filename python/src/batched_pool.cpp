@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "boxplus/graph/make_room.h"
+#include "constraint_pool.h"
 
 namespace boxplus::python {
 namespace {
@@ -40,12 +42,14 @@ std::size_t size_of(const VertexKind& kind) {
 }  // namespace
 
 BatchedPool::BatchedPool(std::shared_ptr<EdgeFunction> function, std::vector<std::uint32_t> indices,
-                         std::vector<const detail::VertexPool*> pools, int rows, int width)
+                         std::vector<const detail::VertexPool*> pools, int rows, int width,
+                         bool is_constraint)
     : EdgePool(std::move(indices), 0),
       function_(std::move(function)),
       pools_(std::move(pools)),
       rows_(rows),
-      width_(width) {}
+      width_(width),
+      is_constraint_(is_constraint) {}
 
 BatchedPool::BatchedPool(const BatchedPool& other, std::vector<const detail::VertexPool*> pools)
     : EdgePool(other),
@@ -53,15 +57,22 @@ BatchedPool::BatchedPool(const BatchedPool& other, std::vector<const detail::Ver
       pools_(std::move(pools)),
       rows_(other.rows_),
       width_(other.width_),
-      measurements_(other.measurements_) {}
+      is_constraint_(other.is_constraint_),
+      measurements_(other.measurements_),
+      shifts_(other.shifts_) {}
 
 std::uint32_t BatchedPool::add(const double* measurement, const Information& information,
                                std::span<const std::uint32_t> slots) {
   const auto width = static_cast<std::size_t>(width_);
   measurements_.reserve((std::size_t{this->slots()} + 1) * width);
+  if (is_constraint_) detail::make_room(shifts_);
   const std::uint32_t slot = acquire_slot(slots, {}, information, rows_);
   measurements_.resize(std::size_t{this->slots()} * width);
   std::copy_n(measurement, width_, measurements_.data() + slot * width);
+  if (is_constraint_) {
+    shifts_.resize(this->slots());
+    shifts_[slot].clear();
+  }
   cache_ = numeric_ = {};
   return slot;
 }
@@ -87,14 +98,16 @@ detail::EdgeShape BatchedPool::shape(std::uint32_t /*edge*/) const {
 void BatchedPool::reserve(std::size_t edges) {
   reserve_slots(edges);
   measurements_.reserve(edges * static_cast<std::size_t>(width_));
+  if (is_constraint_) shifts_.reserve(edges);
 }
 
 void BatchedPool::errors(std::span<const std::uint32_t> edges, double* out) const {
   const auto rows = static_cast<std::size_t>(rows_);
   with_results(edges, Want::kErrors, [&](const Cache& cache, const auto& index) {
     for (std::size_t k = 0; k < edges.size(); ++k)
-      out = std::copy_n(cache.errors.data() + index(k) * rows, rows, out);
+      std::copy_n(cache.errors.data() + index(k) * rows, rows, out + k * rows);
   });
+  if (is_constraint_) add_shifts(shifts_, edges, rows_, out);
 }
 
 void BatchedPool::linearize(std::span<const std::uint32_t> edges, detail::EdgeTile& tile,
@@ -113,6 +126,7 @@ void BatchedPool::linearize(std::span<const std::uint32_t> edges, detail::EdgeTi
       jacobian = std::copy_n(cache.jacobians.data() + index(k) * block(), block(), jacobian);
     }
   });
+  if (is_constraint_) add_shifts(shifts_, edges, rows_, tile.error);
 }
 
 bool BatchedPool::has(const Cache& cache, std::span<const std::uint32_t> edges, Want want) const {

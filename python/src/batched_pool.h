@@ -25,9 +25,9 @@ namespace boxplus::python {
 class BatchedPool final : public detail::EdgePool {
  public:
   /// `vertex_pools`: the pools, and their indices, of the arguments. `rows`: of the error. `width`: the
-  /// numbers of a measurement; 0 if the function gets none.
+  /// numbers of a measurement; 0 if the function gets none. `is_constraint`: the edges are constraints.
   BatchedPool(std::shared_ptr<EdgeFunction> function, std::vector<std::uint32_t> indices,
-              std::vector<const detail::VertexPool*> pools, int rows, int width);
+              std::vector<const detail::VertexPool*> pools, int rows, int width, bool is_constraint);
 
   /// Adds an edge with a measurement of `width` numbers. Returns its slot. If the function throws, nothing
   /// has changed.
@@ -43,17 +43,23 @@ class BatchedPool final : public detail::EdgePool {
 
   const EdgeFunction& function() const { return *function_; }
   int width() const { return width_; }
+  bool is_constraint() const { return is_constraint_; }
   std::uint32_t pool_of_argument(int i) const { return argument_pool(i); }
 
   std::unique_ptr<EdgePool> clone(
       std::span<const std::unique_ptr<detail::VertexPool>> vertex_pools) const override;
-  std::string_view type_name() const override { return function_->name(); }
+  std::string_view type_name() const override {
+    return is_constraint_ ? std::string_view("Constraint") : std::string_view(function_->name());
+  }
   detail::EdgeShape shape(std::uint32_t edge) const override;
   bool uniform_shape() const override { return true; }
   void errors(std::span<const std::uint32_t> edges, double* out) const override;
   void linearize(std::span<const std::uint32_t> edges, detail::EdgeTile& tile,
                  bool force_numeric) const override;
   detail::JacobianSource jacobian_source() const override { return function_->source(); }
+  std::vector<double>* shift(std::uint32_t edge) override {
+    return is_constraint_ ? &shifts_[edge] : nullptr;
+  }
   void reserve(std::size_t edges) override;
 
  private:
@@ -78,7 +84,9 @@ class BatchedPool final : public detail::EdgePool {
   std::shared_ptr<EdgeFunction> function_;
   std::vector<const detail::VertexPool*> pools_;
   int rows_, width_;
-  std::vector<double> measurements_;  // width_ per slot
+  bool is_constraint_;
+  std::vector<double> measurements_;         // width_ per slot
+  std::vector<std::vector<double>> shifts_;  // by slot; empty unless the edges are constraints
 
   mutable std::shared_mutex mutex_;  // of the caches
   mutable std::mutex calling_;       // held by the thread that calls the function

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bind.h"
+#include "constraint_pool.h"
 #include "edge_kinds.h"
 #include "function_edges.h"
 #include "vertex_kinds.h"
@@ -228,23 +229,28 @@ std::size_t count_edges(const py::args& vertices, py::handle measurements) {
 }
 
 py::list add_function_edges(Graph& graph, const py::object& edge, const py::args& vertices,
-                            const py::object& measurements, py::handle informations) {
+                            const py::object& measurements, py::handle informations, bool is_constraint) {
   const std::size_t count = count_edges(vertices, measurements);
   Columns columns(graph, vertices, count);
   if (count == 0) return py::list();
   columns.require_same_types(graph, count);
-  FunctionEdges edges(graph, edge, columns.of_edge(0), measurements);
+  FunctionEdges edges(graph, edge, columns.of_edge(0), measurements, is_constraint);
   const Informations omegas(informations, edges.rows(), "informations");
   omegas.require_count(count);
   return add_all(graph, count, [&](std::size_t k) { return edges.add(k, omegas[k], columns.of_edge(k)); });
 }
 
-py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices,
-                   const py::object& measurements, py::handle informations) {
+py::list add_edges(GraphObject& self, py::handle argument, const py::args& vertices,
+                   const py::object& measurements, py::handle informations, py::handle camera) {
   Graph& graph = self.write();
-  if (is_batched_function(type))
-    return add_function_edges(graph, py::reinterpret_borrow<py::object>(type), vertices, measurements,
-                              informations);
+  const bool is_constraint = py::isinstance<ConstraintValue>(argument);
+  const py::object type = is_constraint ? argument.cast<const ConstraintValue&>().edge
+                                        : py::reinterpret_borrow<py::object>(argument);
+  if (is_batched_function(type)) {
+    if (!camera.is_none())
+      throw_type_error("camera", "None, because an error function takes no camera", camera);
+    return add_function_edges(graph, type, vertices, measurements, informations, is_constraint);
+  }
   const std::string family = family_of(type);
   if (!py::isinstance<py::type>(type)) throw_type_error("type", "the class " + family, type);
   const Numbers numbers = read_numbers(measurements, "measurements");
@@ -253,7 +259,7 @@ py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices,
   Columns columns(graph, vertices, count);
   if (count == 0) return py::list();
 
-  const EdgeKind& kind = kind_for(family, graph, columns.of_edge(0));
+  const EdgeKind& kind = kind_for(family, graph, columns.of_edge(0), camera);
   columns.require_same_types(graph, count);
   const Numbers rows = read_rows(numbers, kind.size, "measurements", kind.layout);
   const Informations omegas(informations, kind.rows, "informations");
@@ -261,7 +267,12 @@ py::list add_edges(GraphObject& self, py::handle type, const py::args& vertices,
 
   return add_all(graph, count, [&](std::size_t edge) {
     const double* row = rows.data() + edge * static_cast<std::size_t>(kind.size);
-    return kind.add_row(graph, row, {"measurements", edge}, omegas[edge], columns.of_edge(edge).data());
+    const std::span<const VertexRef> refs = columns.of_edge(edge);
+    const Information omega = omegas[edge];
+    const auto add = [&](const EdgePlace& place) {
+      return kind.add_row(place, row, {"measurements", edge}, camera, omega);
+    };
+    return is_constraint ? add_constraint(graph, kind, refs, omega, add) : add({&graph, refs.data()});
   });
 }
 
@@ -276,7 +287,7 @@ void bind_bulk(GraphClass& type) {
            "The ids of all vertices of a type, ascending, and their estimates, one per row.")
       .def("set_estimates", &set_estimates, py::arg("type"), py::arg("ids"), py::arg("estimates"))
       .def("add_edges", &add_edges, py::arg("type"), py::kw_only(), py::arg("measurements") = py::none(),
-           py::arg("informations") = 1.0,
+           py::arg("informations") = 1.0, py::arg("camera") = py::none(),
            "add_edges(Between, i, j, measurements=z, informations=omega): adds an edge per row of the "
            "measurements. "
            "The vertices are arrays of ids, or one vertex for all edges. The informations are a number or a "
@@ -284,7 +295,9 @@ void bind_bulk(GraphClass& type) {
            "for all edges, or an array of numbers (n,) or of matrices (n, d, d). Returns the list of "
            "EdgeRefs. Instead of a class, the first argument may be an error function: an object with a "
            "method "
-           "error(estimates..., measurements) that computes the errors of all edges at once (BatchedEdge).");
+           "error(estimates..., measurements) that computes the errors of all edges at once (BatchedEdge). "
+           "Constraint(type) makes constraints. camera: the known camera of all edges "
+           "CalibratedReprojection.");
 }
 
 }  // namespace boxplus::python

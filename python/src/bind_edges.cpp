@@ -10,25 +10,36 @@
 #include "bind.h"
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/make_robust_kernel.h"
+#include "constraint_pool.h"
 #include "edge_kinds.h"
 #include "function_edges.h"
 
 namespace boxplus::python {
 namespace {
 
-EdgeRef add_edge(GraphObject& self, py::handle edge, const py::args& vertices, py::handle information) {
+EdgeRef add_edge(GraphObject& self, py::handle argument, const py::args& vertices, py::handle information) {
   Graph& graph = self.write();
   const std::vector<VertexRef> refs = vertices_of(graph, vertices, "vertices");
+  const bool is_constraint = py::isinstance<ConstraintValue>(argument);
+  const py::object edge = is_constraint ? argument.cast<const ConstraintValue&>().edge
+                                        : py::reinterpret_borrow<py::object>(argument);
   if (is_function(edge)) {
-    FunctionEdges edges(graph, py::reinterpret_borrow<py::object>(edge), refs, py::none());
+    FunctionEdges edges(graph, edge, refs, py::none(), is_constraint);
     const Informations informations(information, edges.rows(), "information");
     informations.require_count(1);
     return edges.add(0, informations[0], refs);
   }
-  const EdgeKind& kind = kind_for(family_of(edge), graph, refs);
+  const std::string family = family_of(edge);
+  if (py::isinstance<py::type>(edge)) throw_type_error("edge", "a " + family + " with its measurement", edge);
+  const py::object camera = camera_of(edge);
+  const EdgeKind& kind = kind_for(family, graph, refs, camera);
   const Informations informations(information, kind.rows, "information");
   informations.require_count(1);
-  return kind.add(graph, edge.cast<const EdgeValue&>().measurement, informations[0], refs.data());
+  const py::object measurement = edge.cast<const EdgeValue&>().measurement;
+  const auto add = [&](const EdgePlace& place) {
+    return kind.add(place, measurement, camera, informations[0]);
+  };
+  return is_constraint ? add_constraint(graph, kind, refs, informations[0], add) : add({&graph, refs.data()});
 }
 
 /// One edge, or a sequence of edges.
@@ -84,14 +95,20 @@ void bind_measurements(GraphClass& type) {
            "symmetric "
            "matrix, the inverse of the covariance of the error. Returns its EdgeRef. The edge may also be a "
            "function "
-           "of the estimates that returns the error: a number or an array.");
+           "of the estimates that returns the error: a number or an array. Constraint(edge) must be zero "
+           "exactly.");
   def_edge(type, "measurement", [](const Graph& graph, EdgeRef edge) {
-    return kind_of_edge(graph, edge).measurement(graph, edge);
+    if (const ConstraintPool* constraints = constraint_pool_of(graph, edge))
+      return constraints->measurement(edge.slot);
+    return kind_of_edge(graph, edge).measurement(*graph.edge_pools()[edge.pool], edge.slot);
   });
   type.def(
       "set_measurement",
       [](GraphObject& self, const EdgeRef& edge, py::handle measurement) {
-        kind_of_edge(self.read(), edge).set_measurement(self.write(), edge, measurement);
+        Graph& graph = self.write();
+        if (const ConstraintPool* constraints = constraint_pool_of(graph, edge))
+          return const_cast<ConstraintPool*>(constraints)->set_measurement(edge.slot, measurement);
+        kind_of_edge(graph, edge).set_measurement(graph, edge, measurement);
       },
       py::arg("edge"), py::arg("measurement"));
   def_edge(type, "information",

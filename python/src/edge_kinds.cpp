@@ -37,6 +37,10 @@ std::span<const EdgeFamily> edge_families() {
       {"Reprojection",
        "Measures the pixel at which a camera sees a point. Vertices: pose (T_world_camera), point, camera; "
        "or (pose, camera), point."},
+      {"CalibratedReprojection",
+       "Measures the pixel at which a camera with known parameters sees a point. Vertices: pose "
+       "(T_world_camera), point.",
+       true},
   };
   return kFamilies;
 }
@@ -78,6 +82,7 @@ std::span<const EdgeKind> edge_kinds() {
         edge_kind<LineObservation3, SE3, Line3, SE3>("LineObservation3"),
     };
     for (EdgeKind& kind : camera_edge_kinds()) all.push_back(std::move(kind));
+    for (EdgeKind& kind : known_camera_edge_kinds()) all.push_back(std::move(kind));
     return all;
   }();
   return kinds;
@@ -95,8 +100,14 @@ std::string family_of(py::handle edge) {
   throw_type_error("edge", "one of " + names, edge);
 }
 
-const EdgeKind& kind_for(const std::string& family, const Graph& graph, std::span<const VertexRef> vertices) {
-  std::string expected, came;
+py::object camera_of(py::handle edge) {
+  if (py::isinstance<CameraEdgeValue>(edge)) return edge.cast<const CameraEdgeValue&>().camera;
+  return py::none();
+}
+
+const EdgeKind& kind_for(const std::string& family, const Graph& graph, std::span<const VertexRef> vertices,
+                         py::handle camera) {
+  std::string expected, came, cameras;
   std::vector<std::type_index> pools;
   for (const VertexRef& vertex : vertices) {
     if (!graph.contains(vertex)) static_cast<void>(graph.id(vertex));  // throws
@@ -104,11 +115,21 @@ const EdgeKind& kind_for(const std::string& family, const Graph& graph, std::spa
     pools.emplace_back(typeid(pool));
     came += (came.empty() ? "" : ", ") + std::string(pool.type_name());
   }
+  bool fits = false, has_camera = false;
   for (const EdgeKind& kind : edge_kinds()) {
     if (kind.family != family) continue;
-    if (kind.pools == pools) return kind;
-    expected += (expected.empty() ? "(" : " or (") + std::string(kind.vertices) + ")";
+    if (kind.pools == pools) {
+      fits = true;
+      if (kind.is_camera == nullptr ? camera.is_none() : kind.is_camera(camera)) return kind;
+    }
+    const std::string text = "(" + kind.vertices + ")";
+    if (expected.find(text) == std::string::npos) expected += (expected.empty() ? "" : " or ") + text;
+    has_camera = has_camera || kind.is_camera != nullptr;
+    cameras += (cameras.empty() ? "" : ", ") + std::string(kind.camera_name);
   }
+  if (fits)
+    throw_type_error(
+        "camera", has_camera ? "one of " + cameras : "None, because " + family + " takes no camera", camera);
   throw py::type_error(family + ": expected vertices of the types " + expected + ", got (" + came + ")");
 }
 

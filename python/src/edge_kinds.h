@@ -3,6 +3,8 @@
 // each list of vertex types. To add a kind, write a row in edge_kinds.cpp.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +21,24 @@ struct EdgeValue {
   py::object measurement;
 };
 
+/// An edge with known intrinsic parameters.
+struct CameraEdgeValue : EdgeValue {
+  py::object camera;
+};
+
+/// An edge that becomes a constraint: an error function of Python, an EdgeValue or the class of one.
+struct ConstraintValue {
+  py::object edge;
+};
+
+/// Where an edge is added: to a graph or, if `pool` is given, to a pool of its type that is not in a graph.
+struct EdgePlace {
+  Graph* graph;
+  const VertexRef* vertices;
+  detail::EdgePool* pool = nullptr;
+  std::span<const std::uint32_t> slots = {};  ///< of the vertices
+};
+
 struct EdgeKind {
   std::string_view family;             ///< the name of the Python class: "Between"
   std::string vertices;                ///< "SE2, SE2"
@@ -27,27 +47,39 @@ struct EdgeKind {
   std::string_view layout;             ///< of the row of a measurement: "x y theta"
   int size;                            ///< the numbers of this row
   int rows;                            ///< of the error
-  EdgeRef (*add)(Graph&, py::handle measurement, const Information&, const VertexRef* vertices);
-  EdgeRef (*add_row)(Graph&, const double* row, RowName name, const Information&, const VertexRef* vertices);
-  py::object (*measurement)(const Graph&, EdgeRef);
+  EdgeRef (*add)(const EdgePlace&, py::handle measurement, py::handle camera, const Information&);
+  EdgeRef (*add_row)(const EdgePlace&, const double* row, RowName name, py::handle camera,
+                     const Information&);
+  /// Of an edge in a pool of this kind.
+  py::object (*measurement)(const detail::EdgePool&, std::uint32_t slot);
   void (*set_measurement)(Graph&, EdgeRef, py::handle measurement);
+  void (*set_measurement_in_pool)(detail::EdgePool&, std::uint32_t slot, py::handle measurement);
+  /// A pool for edges of vertices of a graph, which is not in the graph.
+  std::unique_ptr<detail::EdgePool> (*empty_pool)(const Graph&, const VertexRef* vertices);
+  bool (*is_camera)(py::handle) = nullptr;  ///< whether the edge takes this camera; null if it has none
+  std::string_view camera_name = {};
 };
 
 struct EdgeFamily {
   const char* name;
   const char* doc;
+  bool has_camera = false;
 };
 
 std::span<const EdgeFamily> edge_families();
 std::span<const EdgeKind> edge_kinds();
 /// A part of edge_kinds(): those of cameras.
 std::vector<EdgeKind> camera_edge_kinds();
+std::vector<EdgeKind> known_camera_edge_kinds();
 /// The name of the class of an edge, or of the class itself if `edge` is one. Throws TypeError if it is not
 /// of a family.
 std::string family_of(py::handle edge);
-/// The kind of a family for these vertices. Throws TypeError if there is none, and InvalidArgument if a
-/// vertex does not exist.
-const EdgeKind& kind_for(const std::string& family, const Graph& graph, std::span<const VertexRef> vertices);
+/// The camera of an edge, or None.
+py::object camera_of(py::handle edge);
+/// The kind of a family for these vertices and this camera, which is None for most families. Throws TypeError
+/// if there is none, and InvalidArgument if a vertex does not exist.
+const EdgeKind& kind_for(const std::string& family, const Graph& graph, std::span<const VertexRef> vertices,
+                         py::handle camera);
 /// Throws InvalidArgument if the edge does not exist, and TypeError if Python does not know its type.
 const EdgeKind& kind_of_edge(const Graph& graph, EdgeRef edge);
 

@@ -16,11 +16,12 @@ namespace {
 
 /// A pool of the function for vertices of these pools and measurements of this width, if the graph has one.
 std::optional<std::uint32_t> find_pool(const Graph& graph, py::handle edge,
-                                       std::span<const VertexRef> vertices, int width) {
+                                       std::span<const VertexRef> vertices, int width, bool is_constraint) {
   const auto pools = graph.edge_pools();
   for (std::uint32_t index = 0; index < pools.size(); ++index) {
     const auto* pool = dynamic_cast<const BatchedPool*>(pools[index].get());
     if (pool == nullptr || !pool->function().is(edge) || pool->width() != width) continue;
+    if (pool->is_constraint() != is_constraint) continue;
     if (pool->function().kinds().size() != vertices.size()) continue;
     bool is_same = true;
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -60,7 +61,7 @@ bool is_batched_function(py::handle edge) {
 }
 
 FunctionEdges::FunctionEdges(Graph& graph, const py::object& edge, std::span<const VertexRef> first,
-                             const py::object& measurements)
+                             const py::object& measurements, bool is_constraint)
     : graph_(&graph) {
   if (first.empty())
     throw py::type_error("vertices: expected at least one vertex of an error function, got none");
@@ -79,7 +80,7 @@ FunctionEdges::FunctionEdges(Graph& graph, const py::object& edge, std::span<con
     indices.push_back(vertex.pool);
     pools.push_back(graph.vertex_pools()[vertex.pool].get());
   }
-  if (const auto found = find_pool(graph, edge, first, width_)) {
+  if (const auto found = find_pool(graph, edge, first, width_, is_constraint)) {
     pool_ = *found;
     rows_ = graph.edge_pools()[pool_]->shape(0).rows;
     return;
@@ -87,7 +88,7 @@ FunctionEdges::FunctionEdges(Graph& graph, const py::object& edge, std::span<con
   auto function = std::make_shared<EdgeFunction>(edge, std::move(kinds));
   rows_ = count_rows(*function, graph, first, measurements_, width_);
   pool_ = graph.add_edge_pool(std::make_unique<BatchedPool>(std::move(function), std::move(indices),
-                                                            std::move(pools), rows_, width_));
+                                                            std::move(pools), rows_, width_, is_constraint));
 }
 
 EdgeRef FunctionEdges::add(std::size_t edge, const Information& information,

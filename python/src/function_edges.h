@@ -20,12 +20,13 @@ bool is_function(py::handle edge);
 bool is_batched_function(py::handle edge);
 
 /// Adds edges to the pool of a function, which is created if there is none. The types of the vertices are
-/// those of the first edge. `measurements`: an array with a row per edge, or None. Calls the function, to
-/// find the number of rows of its error. Throws TypeError and ValueError that name the argument.
+/// those of the first edge. `measurements`: an array with a row per edge, or None. The edges may be
+/// constraints. Calls the function, to find the number of rows of its error. Throws TypeError and ValueError
+/// that name the argument.
 class FunctionEdges {
  public:
   FunctionEdges(Graph& graph, const py::object& edge, std::span<const VertexRef> first,
-                const py::object& measurements);
+                const py::object& measurements, bool is_constraint);
   int rows() const { return rows_; }
   EdgeRef add(std::size_t edge, const Information& information, std::span<const VertexRef> vertices);
 

@@ -9,7 +9,7 @@ import unittest
 
 import boxplus
 import numpy as np
-from boxplus import (SE3, SO3, BalCamera, Between, FovCamera, FullOpenCvCamera, Graph, OpenCvCamera, OpenCvFisheyeCamera,
+from boxplus import (SE3, SO3, BalCamera, Between, CalibratedReprojection, FovCamera, FullOpenCvCamera, Graph, OpenCvCamera, OpenCvFisheyeCamera,
                      PinholeCamera, RadialCamera, RadialFisheyeCamera, Reprojection, SimplePinholeCamera, SimpleRadialCamera,
                      SimpleRadialFisheyeCamera, ThinPrismFisheyeCamera, Vector3, RadTanThinPrismFisheyeCamera, SimpleDivisionCamera,
                      DivisionCamera, SimpleFisheyeCamera, FisheyeCamera, EucmCamera, optimize)
@@ -123,6 +123,52 @@ class Edges(unittest.TestCase):
         np.testing.assert_allclose(graph.estimate(camera).parameters, truth.parameters, rtol=1e-6)
         np.testing.assert_allclose(graph.estimates(Vector3)[1], points, atol=1e-6)
         self.assertIn("Reprojection<PINHOLE>", str(report))
+
+    def test_an_edge_may_have_a_known_camera(self):
+        for camera in CAMERAS:
+            with self.subTest(camera):
+                graph = Graph()
+                pose, point = graph.add_vertex(POSE), graph.add_vertex(POSE * np.array([0.2, -0.1, 2 * forward(camera)]))
+                known = graph.add_edge(CalibratedReprojection([3, 4], camera), pose, point)
+                other = graph.add_edge(Reprojection([3, 4]), pose, point, graph.add_vertex(camera))
+                self.assertEqual(graph.edge_type(known), f"CalibratedReprojection<{graph.edge_type(other)[13:-1]}>")
+                np.testing.assert_array_equal(graph.error(known), graph.error(other))
+                for found, expected in zip(graph.jacobian(known), graph.jacobian(other)):
+                    np.testing.assert_allclose(found, expected, atol=1e-9)
+                graph.set_measurement(known, [5, 6])
+                self.assertEqual(graph.measurement(known).tolist(), [5, 6])
+                np.testing.assert_allclose(graph.error(known), graph.error(other) - 2)
+                array, = graph.add_edges(CalibratedReprojection, pose, [point.slot + 1], measurements=[[5, 6]], camera=camera)
+                np.testing.assert_array_equal(graph.error(array), graph.error(known))
+
+    def test_a_pose_is_found_from_known_points_and_a_known_camera(self):
+        camera = OpenCvCamera(500, 510, 320, 240, 0.1, -0.02, 1e-3, 2e-3)
+        points = np.random.default_rng(1).uniform([-1, -1, 3], [1, 1, 5], (20, 3))
+        graph = Graph()
+        pose = graph.add_vertex(SE3())
+        ids = graph.add_vertices(Vector3, None, [POSE * p for p in points])
+        for point in ids:
+            graph.fix(point)
+        graph.add_edges(CalibratedReprojection, pose, ids, measurements=camera.project(points), camera=camera)
+        self.assertTrue(optimize(graph).converged())
+        np.testing.assert_allclose(graph.estimate(pose).ominus(POSE), 0, atol=1e-8)
+
+    def test_a_missing_or_wrong_camera_is_named(self):
+        graph = Graph()
+        pose, point, camera = graph.add_vertex(POSE), graph.add_vertex([1, 2, 3]), CAMERAS[2]
+        edge = CalibratedReprojection([1, 2], camera)
+        self.assertEqual((edge.camera, repr(edge)), (camera, f"CalibratedReprojection([1, 2], {camera!r})"))
+        for text, function in (
+                ("camera: expected one of BalCamera, SimplePinholeCamera", lambda: graph.add_edge(CalibratedReprojection([1, 2], POSE), pose, point)),
+                ("camera: expected one of BalCamera", lambda: graph.add_edges(CalibratedReprojection, pose, point, measurements=[[1, 2]])),
+                ("CalibratedReprojection: expected vertices of the types (SE3, Vector3), got (Vector3, SE3)", lambda: graph.add_edge(edge, point, pose)),
+                ("camera: expected None, because Range takes no camera",
+                 lambda: graph.add_edges(boxplus.Range, pose, point, measurements=[1], camera=camera)),
+                ("camera: expected None", lambda: graph.add_edges(lambda x: x, point, camera=camera)),
+                ("camera", lambda: CalibratedReprojection([1, 2]))):
+            with self.subTest(text), self.assertRaises(TypeError) as raised:
+                function()
+            self.assertIn(text, str(raised.exception))
 
     def test_a_pose_and_a_camera_may_be_one_vertex(self):
         camera = CAMERAS[0]

@@ -21,8 +21,8 @@ RIGHT = """
 from typing import Any
 
 import numpy as np
-from boxplus import (SE2, SE3, BalCamera, BatchedEdge, Between, Graph, Line3, Optimizer, Options, PinholeCamera, Plane3,
-                     PlaneObservation3, PositionPrior, Prior, Reprojection, Sim3, StopFlag, Vector2, Vector3, VertexRef, certify, covariance, diagnose, find_outliers, load,
+from boxplus import (SE2, SE3, BalCamera, BatchedEdge, Between, CalibratedReprojection, Constraint, Graph, Line3, Optimizer,
+                     Options, PinholeCamera, Plane3, PlaneObservation3, PositionPrior, Prior, Reprojection, Sim3, StopFlag, Vector2, Vector3, VertexRef, certify, covariance, diagnose, find_outliers, load,
                      optimize, plot, rows, se3_sigmas, view)
 
 
@@ -56,6 +56,10 @@ scale: float = (Sim3() * Sim3()).scale() + graph.estimates((SE3, BalCamera))[1][
 graph.add_vertices(Sim3, None, np.ones((1, 8)))
 wall = graph.add_vertex(Plane3([1, 0, 0, -2], color=[1, 0, 0]))
 graph.add_edge(PlaneObservation3(Plane3().seen_from(SE3())), 3, wall, information=np.eye(3))
+graph.add_edge(Constraint(lambda x: x.theta()), 3)
+graph.add_edge(Constraint(Between(SE2(1, 0, 0))), ids[0], ids[1])
+graph.add_edges(Constraint(Distance()), ids[:-1], ids[1:], measurements=np.ones(2))
+graph.add_edges(CalibratedReprojection, 3, ids, measurements=pixels, camera=PinholeCamera(500, 500, 320, 240))
 with view(graph, name="walls") as viewer:
     address: str = viewer.url
 graph.add_vertices(Line3, None, [Line3.through([1, 2, 3], [0, 0, 1]).vector()])

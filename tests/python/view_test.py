@@ -3,6 +3,7 @@
 
 import gzip
 import json
+import socket
 import struct
 import subprocess
 import sys
@@ -33,6 +34,13 @@ def ring(count=20):
     turn = [1.0, 0, 2 * np.pi / count]
     graph.add_edges(Between, ids, np.roll(ids, -1), measurements=np.tile(turn, (count, 1)))
     return graph
+
+
+def free_port():
+    """A port that other programs, unlike the usual one, hardly take after it is closed."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
 
 
 def fetch(url):
@@ -81,7 +89,7 @@ class Page:
 
 class Viewers(unittest.TestCase):
     def test_a_page_is_served_until_the_viewer_is_closed(self):
-        viewer = view(ring(), name="ring")
+        viewer = view(ring(), name="ring", port=free_port())
         self.assertEqual(repr(viewer), f"Viewer({viewer.url})")
         self.assertTrue(viewer.url.startswith("http://127.0.0.1:"))
         status, page = fetch(viewer.url)
@@ -106,7 +114,7 @@ class Viewers(unittest.TestCase):
 
     def test_a_viewer_without_a_reference_stays_open(self):
         graph = ring()
-        url = view(graph).url
+        url = view(graph, port=free_port()).url
         self.assertEqual(fetch(url)[0], 200)
         boxplus._view._close_all()
         with self.assertRaises(urllib.error.URLError):
@@ -147,7 +155,7 @@ class Viewers(unittest.TestCase):
 
     def test_a_viewer_that_is_closed_in_a_run_ends_with_it(self):
         graph = ring()
-        viewer = view(graph)
+        viewer = view(graph, port=free_port())
         report = optimize(graph, callback=lambda record: viewer.close())
         self.assertTrue(report.converged() and viewer.closed)
         with self.assertRaises(urllib.error.URLError):
