@@ -3,8 +3,10 @@
 // bench/RESULTS.md.
 //
 //     bundle_bench FOLDER          compares on the BAL files of FOLDER/bal
+//     bundle_bench collections     compares on photo collections only
 //     bundle_bench ceres FILE      optimizes FILE once by Ceres with DENSE_SCHUR, to measure its memory
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,7 @@
 #include <vector>
 
 #include "boxplus/boxplus.h"
+#include "boxplus/testing/simulate_bundle.h"
 #include "bundle/bundle_forms.h"
 #include "bundle/ceres_bundle.h"
 #include "datasets/interleave.h"
@@ -226,6 +229,58 @@ void show_growth(const std::string& programs) {
   }
 }
 
+/// A photo collection like the data sets Trafalgar-257 and Final-961.
+struct Collection {
+  BundleOptions options;
+  bool compares_all;  ///< with all solvers of Ceres; otherwise with ITERATIVE_SCHUR, which is the fastest
+};
+
+/// Photo collections, until the cost is within 1e-3 of the lowest one.
+void compare_collections() {
+  constexpr double kClose = 1e-3;
+  const Collection collections[] = {{{.cameras = 257, .points = 65'000, .track_length = 3.5}, true},
+                                    {{.cameras = 961, .points = 200'000, .track_length = 10.5}, false}};
+  fmt::print(
+      "\n### Photo collections\n\n"
+      "Simulated (`simulate ba --shape collection`): nearly all cameras share points. Time until the cost "
+      "is\n"
+      "within 1e-3 of the lowest one, with one thread and automatic derivatives in Ceres. The columns are "
+      "as\n"
+      "above. The share of the plan is that of boxplus's whole run.\n");
+  const std::string path =
+      (std::filesystem::temp_directory_path() / fmt::format("boxplus-collection-{}.bal", getpid())).string();
+  for (const Collection& collection : collections) {
+    write_graph(path, simulate_bundle(BundleShape::kCollection, collection.options).graph);
+    const BundleProblem problem = read_bundle_problem(path);
+    Graph ours = read_graph(path).graph;
+    std::filesystem::remove(path);
+    const auto observations = static_cast<double>(problem.observations.size());
+    ours.push();
+    const Report whole = optimize(ours, {.start = Start::kCurrent, .threads = 1});
+    ours.pop();
+    const double target = whole.chi2_final / 2 * (1 + kClose);
+    CeresBundle ceres(problem, false);
+    std::vector<std::string> names{"boxplus"};
+    std::vector<Contestant> contestants{[&] { return figures_of(run_ours(ours, 1, target), observations); }};
+    for (const CeresBundleSettings& settings : kSettings) {
+      if (settings.analytic || (!collection.compares_all && settings.solver != Solver::kIterativeSchur))
+        continue;
+      names.push_back("Ceres, " + std::string(settings.name));
+      contestants.emplace_back(
+          [&, settings] { return figures_of(ceres.run(settings.solver, 1, target), observations); });
+    }
+    const std::vector<Figures> medians =
+        interleaved_medians(contestants, {.least = 1, .most = 3, .enough_s = 30});
+    fmt::print("\n{} cameras, {} points, {} observations; the plan takes {:.1f} % of the run.\n\n",
+               problem.cameras.size(), problem.points.size(), problem.observations.size(),
+               100 * whole.time.plan_s / whole.time.total_s);
+    fmt::print(
+        "| solver | ms | iterations | cost | linearize | solve | evaluate | × |\n"
+        "|---|--:|--:|--:|--:|--:|--:|--:|\n");
+    for (std::size_t k = 0; k < medians.size(); ++k) print_row(names[k], medians[k], medians[0][0]);
+  }
+}
+
 void run_ceres_once(const std::string& path) {
   const BundleRun run = CeresBundle(read_bundle_problem(path), false).run(Solver::kDenseSchur, 1, 0);
   print_whole_run(run.seconds, 2 * run.cost);
@@ -240,6 +295,10 @@ int main(int count, char** words) try {
     run_ceres_once(words[2]);
     return 0;
   }
+  if (count == 2 && std::string(words[1]) == "collections") {
+    compare_collections();
+    return 0;
+  }
   if (count != 2) {
     fmt::print(stderr, "bundle_bench: expected the folder of the data\n");
     return 2;
@@ -251,6 +310,7 @@ int main(int count, char** words) try {
   compare_forms(folder);
   compare_memory(programs, folder);
   show_growth(programs);
+  compare_collections();
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "bundle_bench: {}\n", error.what());
