@@ -153,13 +153,14 @@ struct Value<SE3> : ClassValue<SE3> {
   }
 };
 
+inline constexpr std::string_view kVectorNames[] = {"Vector1", "Vector2",  "Vector3",  "Vector4",
+                                                    "Vector5", "Vector6",  "Vector7",  "Vector8",
+                                                    "Vector9", "Vector10", "Vector11", "Vector12"};
+
 /// Points are NumPy arrays.
 template <int N>
 struct Value<Vector<double, N>> {
-  static constexpr std::string_view kNames[] = {"Vector1", "Vector2",  "Vector3",  "Vector4",
-                                                "Vector5", "Vector6",  "Vector7",  "Vector8",
-                                                "Vector9", "Vector10", "Vector11", "Vector12"};
-  static constexpr std::string_view kName = kNames[N - 1];
+  static constexpr std::string_view kName = kVectorNames[N - 1];
   static constexpr std::string_view kLayout = N == 2 ? "x y" : N == 3 ? "x y z" : "its numbers";
   static constexpr int kSize = N;
   static bool is(py::handle value) {
