@@ -39,7 +39,7 @@ GraphFile read_anchored(const std::string& path) {
   ReadOptions options;
   options.threads = 1;
   GraphFile file = read_graph(path, options);
-  for (const GaugeVertex& held : make_plan(file.graph, {}).held) file.graph.fix(held.vertex);
+  for (const detail::GaugeVertex& held : make_plan(file.graph, {}).held) file.graph.fix(held.vertex);
   return file;
 }
 

@@ -80,8 +80,8 @@ Camera = (
     | EucmCamera
 )
 Manifold = SO2 | SE2 | SO3 | SE3 | S2 | Sim3 | Plane3 | Line3 | Camera
-Estimate = Manifold | tuple[SE3, BalCamera] | ArrayLike
-VertexType = type[Manifold] | type[Array] | tuple[type[SE3], type[BalCamera]]
+Estimate = Manifold | tuple[Manifold | ArrayLike, ...] | ArrayLike
+VertexType = type[Manifold] | type[Array] | tuple[type[Manifold] | type[Array], ...]
 
 class Error(RuntimeError): ...
 class InvalidArgument(Error, ValueError): ...

@@ -33,6 +33,7 @@ std::span<const VertexKind> vertex_kinds() {
                                 vertex_kind<SO3>(),    vertex_kind<S2>(),   vertex_kind<Sim3>(),
                                 vertex_kind<Plane3>(), vertex_kind<Line3>()};
     append(camera_vertex_kinds(), all);
+    append(product_vertex_kinds(), all);
     append(vector_kinds(std::make_integer_sequence<int, int{kMostNumbersOfVector} - 3>()),
            all);  // any list is a vector
     return all;

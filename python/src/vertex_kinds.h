@@ -45,6 +45,7 @@ inline constexpr std::size_t kMostNumbers = 16, kMostNumbersOfVector = 12;
 std::span<const VertexKind> vertex_kinds();
 /// A part of vertex_kinds(): cameras.
 std::vector<VertexKind> camera_vertex_kinds();
+std::vector<VertexKind> product_vertex_kinds();
 /// "an SE2, an SE3, …"
 std::string vertex_kind_names();
 /// Throws TypeError if the estimate is of no kind.

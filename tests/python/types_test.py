@@ -62,6 +62,8 @@ graph.add_edges(Constraint(Distance()), ids[:-1], ids[1:], measurements=np.ones(
 graph.add_edges(CalibratedReprojection, 3, ids, measurements=pixels, camera=PinholeCamera(500, 500, 320, 240))
 with view(graph, name="walls") as viewer:
     address: str = viewer.url
+graph.add_vertex((SE3(), Vector3(1, 0, 0)))
+graph.add_vertices((SE3, Vector3), None, np.zeros((0, 10)))
 graph.add_vertices(Line3, None, [Line3.through([1, 2, 3], [0, 0, 1]).vector()])
 """
 

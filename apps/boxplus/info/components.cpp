@@ -63,7 +63,7 @@ void find_components(const Graph& graph, const Plan& plan, const viewer::EdgeRol
     ++component.edges;
     component.priors += role_of_edge(edge) == viewer::EdgeRole::kPrior;
   }
-  for (const GaugeVertex& held : plan.held) components[sets.find(held.id)].held.push_back(held.id);
+  for (const detail::GaugeVertex& held : plan.held) components[sets.find(held.id)].held.push_back(held.id);
   for (const detail::GaugeFreedom& freedom : plan.freedoms)
     components[sets.find(freedom.id)].free = to_string(freedom);
 
