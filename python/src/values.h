@@ -165,7 +165,8 @@ struct Value<Vector<double, N>> {
   static constexpr int kSize = N;
   static bool is(py::handle value) {
     const py::array array = py::array::ensure(value);
-    return array && array.ndim() == 1 && array.size() == N;
+    if (!array || array.ndim() != 1 || array.size() != N) return false;
+    return !py::isinstance<py::tuple>(value) || array.dtype().kind() != 'O';  // a tuple of poses is no vector
   }
   static Vector<double, N> from_row(const double* row, RowName) {
     return Eigen::Map<const Vector<double, N>>(row);

@@ -6,12 +6,13 @@ import unittest
 import numpy as np
 from boxplus import SE2, SE3, SO3, BatchedEdge, Graph, Options, Vector2, Vector3, Vector6, optimize
 
-POSE = SE3([0.3, -0.2, 0.1], SO3.from_rotation_vector([0.02, -0.03, 0.1]))
+TURN = SO3.from_rotation_vector([0.02, -0.03, 0.1])
+POSE = SE3([0.3, -0.2, 0.1], TURN)
 TYPES = {
     (SE2, Vector2): (SE2(1, 2, 0.5), Vector2(3, 4)),
     (SE2, Vector3): (SE2(1, 2, 0.5), Vector3(3, 4, 5)),
     (SE2, SE2): (SE2(1, 2, 0.5), SE2(3, 4, -0.5)),
-    (SO3, Vector3): (POSE.rotation(), Vector3(1, 2, 3)),
+    (SO3, Vector3): (TURN, Vector3(1, 2, 3)),
     (SE3, Vector3): (POSE, Vector3(1, 2, 3)),
     (SE3, Vector6): (POSE, Vector6(1, 2, 3, 4, 5, 6)),
     (SE3, Vector3, Vector6): (POSE, Vector3(1, 2, 3), Vector6(1, 2, 3, 4, 5, 6)),
@@ -20,7 +21,7 @@ TYPES = {
 
 
 def numbers(estimate):
-    return np.concatenate([x if isinstance(x, np.ndarray) else x.vector() for x in estimate])
+    return np.concatenate([x.quaternion() if isinstance(x, SO3) else x if isinstance(x, np.ndarray) else x.vector() for x in estimate])
 
 
 class ConstantVelocity(BatchedEdge):
