@@ -313,6 +313,22 @@ void Evidence::add_to_vertices(const PoolEvidence& evidence, std::uint32_t slot,
   }
 }
 
+/// The directions of a vertex in which it cannot move to lower chi2: those that are fixed, and entries at
+/// limits beyond which chi2 would fall (Graph::set_bounds()).
+std::vector<int> Evidence::held_directions(VertexRef vertex, std::span<const double> gradient) const {
+  detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+  const auto fixed = pool.fixed_directions(vertex.slot);
+  std::vector<int> held(fixed.begin(), fixed.end());
+  if (!pool.has_bounds()) return held;
+  for (const detail::Bound& bound : pool.bounds(vertex.slot)) {
+    const double value = *pool.entry(vertex.slot, bound.entry),
+                 slope = gradient[static_cast<std::size_t>(bound.entry)];
+    if ((slope > 0 && value <= bound.lower) || (slope < 0 && value >= bound.upper))
+      held.push_back(bound.entry);
+  }
+  return held;
+}
+
 void Evidence::examine_vertices() {
   ScaledCholesky cholesky;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -321,7 +337,10 @@ void Evidence::examine_vertices() {
     if (vertex.edges == 0 || !vertex.is_finite) continue;
     if (cholesky.factorize(block(vertex), vertex.dim, fixed)) {
       const std::span gradient(gradient_.data() + vertex.first_scalar, static_cast<std::size_t>(vertex.dim));
-      single_decrease += cholesky.squared_norm(gradient, fixed);
+      const std::vector<int> held = held_directions(vertex.vertex, gradient);
+      const bool is_held = held.size() > fixed.size();
+      if (is_held && !cholesky.factorize(block(vertex), vertex.dim, held)) continue;
+      single_decrease += cholesky.squared_norm(gradient, held);
       continue;
     }
     std::vector<std::vector<double>> directions = null_directions(block(vertex), vertex.dim, fixed);

@@ -85,6 +85,7 @@ class Evidence {
                 const detail::EdgeShape& shape);
   void add_to_vertices(const PoolEvidence& evidence, std::uint32_t slot, const double* jacobian,
                        const detail::EdgeShape& shape, double weight);
+  std::vector<int> held_directions(VertexRef vertex, std::span<const double> gradient) const;
   void examine_vertices();
 
   std::vector<std::vector<std::uint32_t>> index_of_;  // into `vertices`, by vertex pool and slot

@@ -52,6 +52,19 @@ TEST(DiagnoseMinimum, DoesNotJudgeErrorsAwayFromAMinimum) {
   EXPECT_THAT(finding.text, HasSubstr("only after a run"));
 }
 
+TEST(DiagnoseMinimum, MayBeAtALimit) {
+  Graph graph;
+  const auto point = graph.add_vertex(Vector2(0.5, 0));
+  graph.add_edge(Prior(Vector2(3, -2)), 100.0, point);
+  graph.set_bounds(point, 0, -1, 1);
+  EXPECT_FALSE(diagnose(graph).at_minimum);
+  EXPECT_TRUE(optimize(graph).converged());
+  EXPECT_EQ(graph.estimate(point)[0], 1);
+  EXPECT_TRUE(diagnose(graph).at_minimum);
+  graph.set_bounds(point, 0, -1, 2);  // wider, so that the point can move on
+  EXPECT_FALSE(diagnose(graph).at_minimum);
+}
+
 TEST(DiagnoseMinimum, SaysWhetherInformationIsTooLargeOrTooSmall) {
   for (const double factor : {1e-2, 1e2}) {
     Graph graph;
