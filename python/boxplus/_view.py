@@ -3,6 +3,7 @@
 
 import atexit
 import html
+import os
 
 from . import _boxplus
 
@@ -89,5 +90,13 @@ def _close_all():
         viewer.close()
 
 
+def _forget_all():
+    """In the child of a fork, viewers count as closed; the server is that of the parent."""
+    for viewer in list(_open):
+        _open.discard(viewer)
+        viewer._native.forget()
+
+
+os.register_at_fork(after_in_child=_forget_all)
 # Before the interpreter finalizes: a page may have started a run that calls error functions of Python.
 atexit.register(_close_all)

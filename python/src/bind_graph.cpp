@@ -143,7 +143,11 @@ void bind_vertices(GraphClass& type) {
           },
           py::arg("vertex"), py::arg("entry"), py::arg("lower") = -std::numeric_limits<double>::infinity(),
           py::arg("upper") = std::numeric_limits<double>::infinity(),
-          "Keeps an entry of an estimate, numbered from 0, within lower <= entry <= upper.")
+          "Keeps an entry of an estimate within lower <= entry <= upper. Entries are numbered from 0 as in "
+          "the "
+          "tangent, so in a tuple (SE3, Vector3), the vector has the entries 6 to 8. Entries of rotations "
+          "and "
+          "poses have no bounds.")
       .def(
           "bounds",
           [](const GraphObject& self, py::handle vertex) {

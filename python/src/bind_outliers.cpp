@@ -39,7 +39,9 @@ OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, 
   const ViewersOfRun viewers(graph);
   return Search(run, object).run(native.options, [&] {
     OutlierReport found = find_outliers(run.graph(), native);
-    viewers.show(found.report);
+    Report shown = found.report;
+    shown.verdicts = found.verdicts;
+    viewers.show(shown);
     return found;
   });
 }

@@ -51,6 +51,11 @@ class ViewerObject {
     std::exchange(viewer_, nullptr).reset();
     lent_.reset();
   }
+  /// In the child of a fork, which has none of the viewer's threads: leaves the viewer as it is.
+  void forget() {
+    if (viewer_) new std::shared_ptr<ViewerInterface>(std::exchange(viewer_, nullptr));
+    lent_.reset();
+  }
   void update() {
     const std::shared_ptr<ViewerInterface> viewer = open_viewer();
     const GraphObject::Run run(*graph_);
@@ -95,6 +100,8 @@ std::unique_ptr<ViewerObject> open(std::shared_ptr<GraphObject> graph, const std
                                    const std::string& host, py::handle port) {
   const int number = read_int(port, "port");
   if (number < 0 || number > 65535) throw_value_error("port", "a port from 0 to 65535", port);
+  if (host.empty() || host.find('\0') != std::string::npos)
+    throw_value_error("host", "an address", py::str(host));
   return std::make_unique<ViewerObject>(std::move(graph),
                                         ViewerOptions{.name = name, .host = host, .port = number});
 }
@@ -107,6 +114,7 @@ void bind_viewer(py::module_& module) {
       .def("url", &ViewerObject::url)
       .def("is_closed", &ViewerObject::is_closed)
       .def("close", &ViewerObject::close)
+      .def("forget", &ViewerObject::forget)
       .def("update", &ViewerObject::update)
       .def("hand_over", &ViewerObject::hand_over)
       .def("take_back", &ViewerObject::take_back);

@@ -24,7 +24,7 @@ except ImportError as missing:
     print(f"SKIPPED: {missing}")
     sys.exit(77)
 
-STATE = 1
+STATE, FRAME = 1, 3
 
 
 def ring(count=20):
@@ -46,6 +46,16 @@ def free_port():
 def fetch(url):
     with urllib.request.urlopen(url, timeout=20) as answer:
         return answer.status, gzip.decompress(answer.read()).decode()
+
+
+def arrays_of_frame(viewer):
+    """The names of the arrays of the newest frame."""
+    with urllib.request.urlopen(viewer.url + "stream", timeout=20) as stream:
+        while True:
+            size, kind = struct.unpack("<II", stream.read(8))
+            payload = stream.read(size)
+            if kind == FRAME:
+                return set(json.loads(payload[4:4 + int.from_bytes(payload[:4], "little")])["arrays"])
 
 
 class Page:
@@ -138,6 +148,15 @@ class Viewers(unittest.TestCase):
                 self.assertEqual(state["chi2"], report.chi2_final)
                 self.assertEqual([row["chi2"] for row in state["run"]["rows"]], [record.chi2 for record in report.records])
 
+    def test_frames_have_the_verdicts_of_the_last_run(self):
+        graph = ring()
+        with view(graph) as viewer:
+            self.assertNotIn("verdicts", arrays_of_frame(viewer))
+            for run, has_verdicts in ((lambda: boxplus.find_outliers(graph), True), (lambda: optimize(graph), False),
+                                      (lambda: optimize(graph, outliers="loop-closures"), True)):
+                run()
+                self.assertEqual("verdicts" in arrays_of_frame(viewer), has_verdicts)
+
     def test_update_shows_what_the_program_has_changed(self):
         graph = ring()
         with view(graph) as viewer, Page(viewer) as page:
@@ -173,6 +192,9 @@ class Viewers(unittest.TestCase):
                 view(ring(), port=port)
             with self.assertRaisesRegex(ValueError, "port: expected a port from 0 to 65535, got 65536"):
                 view(ring(), port=65536)
+            for host in ("", "127.0.0.1\0x"):
+                with self.assertRaisesRegex(ValueError, "host: expected an address"):
+                    view(ring(), host=host)
             with self.assertRaises(TypeError):
                 view(None)
 
@@ -270,6 +292,25 @@ time.sleep(0.05)""")
                 done = subprocess.run([sys.executable, "-c", self.PROGRAM.format(work=work)], capture_output=True, text=True,
                                       timeout=60, check=False)
                 self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "over\n", ""))
+
+    def test_the_child_of_a_fork_has_no_viewer(self):
+        program = """
+import os, sys, urllib.request, boxplus
+graph = boxplus.Graph()
+graph.add_vertex([1.0])
+viewer = boxplus.view(graph)
+child = os.fork()
+if child == 0:
+    assert viewer.closed
+    viewer.close()
+    sys.exit(0)
+assert os.waitpid(child, 0)[1] == 0
+assert urllib.request.urlopen(viewer.url).status == 200
+viewer.close()
+print("over")
+"""
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "over\n", ""))
 
     def test_boxplus_does_not_load_the_libraries_of_the_server(self):
         program = "import boxplus, sys; print('boxplus._viewer' in sys.modules)"

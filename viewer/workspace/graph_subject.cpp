@@ -24,7 +24,8 @@ Outcome outcome_of(const Report& report) {
           .reason = report.message,
           .converged = report.converged(),
           .chi2 = report.chi2_final,
-          .rows = report.records};
+          .rows = report.records,
+          .verdicts = report.verdicts};
 }
 
 GraphSubject::GraphSubject(GraphFile file, std::string name)
@@ -121,6 +122,13 @@ std::string GraphSubject::edit(const Edit& edit) {
 
 void GraphSubject::check(const Settings& settings) const {
   std::ignore = run_settings(settings);
+  for (const Setting& setting : setting_table()) {
+    const auto chosen = settings.find(setting.name);
+    if (setting.kind != Setting::Kind::kChoice || chosen == settings.end()) continue;
+    const std::string reason = why_unsuitable(*graph_, setting, chosen->second);
+    if (!reason.empty())
+      throw InvalidArgument(fmt::format("{} {}: {}", setting.name, chosen->second, reason));
+  }
 }
 
 Outcome GraphSubject::run(const Settings& settings, Listener& listener) {

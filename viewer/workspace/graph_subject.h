@@ -42,6 +42,7 @@ class GraphSubject final : public Subject {
   void check(const Settings& settings) const override;
   Outcome run(const Settings& settings, Listener& listener) override;
   Outcome step(const Settings& settings, Listener& listener) override;
+  void set_verdicts(const std::vector<EdgeVerdict>& verdicts) override { verdicts_ = Verdicts(verdicts); }
   bool guess(const std::string& start, Listener& listener) override;
   void keep_estimates() override { graph_->push(); }
   void restore() override;

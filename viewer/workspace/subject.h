@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "boxplus/optimize/outliers.h"
 #include "boxplus/optimize/report.h"
 #include "viewer/server/messages.h"
 #include "viewer/settings/run_settings.h"
@@ -37,6 +38,7 @@ struct Outcome {
   bool converged = false;
   double chi2 = 0;
   std::vector<IterationRecord> rows = {};  ///< all that belong to the result
+  std::vector<EdgeVerdict> verdicts = {};  ///< if the run looked for false edges
 };
 
 /// A graph with its optimizer. One thread at a time calls its functions.
@@ -82,6 +84,8 @@ class Subject {
   virtual Outcome run(const Settings& settings, Listener& listener) = 0;
   /// One iteration from the current estimates.
   virtual Outcome step(const Settings& settings, Listener& listener) = 0;
+  /// Takes the verdicts of a run of the program, which may be none.
+  virtual void set_verdicts(const std::vector<EdgeVerdict>& /*verdicts*/) {}
   /// Replaces the estimates by an initial guess. Returns whether they were replaced.
   virtual bool guess(const std::string& start, Listener& listener) = 0;
   /// Remembers the current estimates for restore().

@@ -222,6 +222,7 @@ bool Workspace::watch(const IterationRecord& record) {
 }
 
 void Workspace::watch_end(const Outcome& outcome) {
+  subject_->set_verdicts(outcome.verdicts);
   finish(outcome);
 }
 

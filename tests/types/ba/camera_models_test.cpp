@@ -160,6 +160,19 @@ TEST(CameraModels, OfDivisionAreInvertedByADivision) {
   }
 }
 
+TEST(CameraModels, OfDivisionSeeBehindTheCameraIfTheLensIsWide) {
+  const double k = -0.5;
+  const DivisionCamera camera(1, 1, 0, 0, k);
+  for (const double radius : {0.5, 1.4, 1.42, 2.0, 5.0}) {
+    const Vector2 d(0.6 * radius, -0.8 * radius);
+    for (const double distance : {0.1, 1.0, 30.0}) {
+      const Vector3 point = distance * Vector3(d[0], d[1], 1 + k * radius * radius);
+      EXPECT_LE((camera.project(point) - d).norm(), 1e-12 * radius) << radius << " " << distance;
+      EXPECT_TRUE(camera.sees(point)) << radius;
+    }
+  }
+}
+
 TEST(CameraModels, OfDivisionSeeNoPointWithoutASolution) {
   const DivisionCamera camera(1, 1, 0, 0, 0.25);  // the discriminant is 1 − r²
   EXPECT_TRUE(camera.sees(Vector3(0.99, 0, 1)));

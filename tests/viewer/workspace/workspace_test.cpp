@@ -8,6 +8,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/se2.h"
+#include "boxplus/types/between.h"
 #include "viewer/workspace/settled.h"
 
 namespace boxplus::viewer {
@@ -227,6 +228,30 @@ TEST(Workspace, RemovesKernelsThatTheNextRunDoesNotWant) {
   workspace.reset();
   const Json state = settled(reader);
   EXPECT_EQ(state["chi2"], state["chi2_initial"]);
+}
+
+TEST(Workspace, SendsTheVerdictsOfTheLastRun) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  EXPECT_FALSE(settled_frame(reader)["arrays"].contains("verdicts"));
+  workspace.optimize({{"outliers", "loop-closures"}});
+  EXPECT_EQ(settled_frame(reader)["arrays"]["verdicts"]["count"], 3);
+  workspace.optimize({});
+  EXPECT_FALSE(settled_frame(reader)["arrays"].contains("verdicts"));
+}
+
+TEST(Workspace, RefusesAChoiceThatMakesNoSenseForTheGraph) {
+  GraphFile file;
+  const auto a = file.graph.add_vertex(SE2()), b = file.graph.add_vertex(SE2(1, 0, 0));
+  file.graph.add_edge(Between(SE2(1, 0, 0)), a, b);
+  Workspace workspace;
+  workspace.show(std::move(file), "own");
+  EXPECT_THAT(
+      [&] {
+        workspace.optimize({{"outliers", "loop-closures"}});
+      },
+      testing::ThrowsMessage<InvalidArgument>(HasSubstr("this graph has no loop closures")));
 }
 
 TEST(Workspace, ReportsAnErrorFunctionThatThrows) {

@@ -142,14 +142,14 @@ struct SimpleDivisionModel : OneFocalLength {
   static constexpr std::string_view kName = "SIMPLE_DIVISION";
   static constexpr int kColmapId = 12;
   static constexpr auto kParameters = names("f", "cx", "cy", "k");
-  using Lens = PlaneLens<Division>;
+  using Lens = detail::Lens<DivisionMapping, Distortion<Terms<>>>;
 };
 
 struct DivisionModel : TwoFocalLengths {
   static constexpr std::string_view kName = "DIVISION";
   static constexpr int kColmapId = 13;
   static constexpr auto kParameters = names("fx", "fy", "cx", "cy", "k");
-  using Lens = PlaneLens<Division>;
+  using Lens = detail::Lens<DivisionMapping, Distortion<Terms<>>>;
 };
 
 struct SimpleFisheyeModel : OneFocalLength {

@@ -264,36 +264,4 @@ struct Composition {
   }
 };
 
-/// The division model of Fitzgibbon, "Simultaneous linear estimation of multiple view geometry and lens
-/// distortion" (2001), with one parameter k: u = d/(1 + k |d|²). With the discriminant D = 1 − 4 k r², the
-/// solution that is u for k = 0 is d = R u with R = 2/(1 + √D). If D < 0, there is no solution. Then R
-/// continues to increase, to 4, by the reflection of its graph at D = 0: R = 4 − 2/(1 + √−D).
-struct Division {
-  static constexpr int kSize = 1;
-
-  template <class S, class J>
-  static void apply(const S* u, const S* k, S* d, J J_u, J J_k) {
-    const S x = u[0] * u[0] + u[1] * u[1], D = 1.0 - 4.0 * k[0] * x;
-    const Root<S> signed_root = root(D);
-    const auto is_negative = D < 0.0;
-    const S size = choose(is_negative, S(-signed_root.value), signed_root.value), half = 1.0 / (1.0 + size);
-    const S R = choose(is_negative, S(4.0 - 2.0 * half), S(2.0 * half));
-    d[0] = R * u[0];
-    d[1] = R * u[1];
-    if constexpr (kWanted<J>) {
-      const S slope = 8.0 * half * half * signed_root.slope;  // −4 ∂R/∂D
-      const S twice = 2.0 * k[0] * slope;
-      J_u[0] = R + twice * u[0] * u[0];
-      J_u[1] = J_u[2] = twice * u[0] * u[1];
-      J_u[3] = R + twice * u[1] * u[1];
-      for (int i = 0; i < 2; ++i) J_k[i] = slope * x * u[i];
-    }
-  }
-
-  template <class S>
-  static bool is_defined(const S* u, const S* k) {
-    return 1.0 - 4.0 * k[0] * (u[0] * u[0] + u[1] * u[1]) > 0.0;
-  }
-};
-
 }  // namespace boxplus::detail

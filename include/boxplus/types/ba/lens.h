@@ -118,6 +118,36 @@ struct EnhancedUnifiedMapping {
   }
 };
 
+/// The division model of Fitzgibbon, "Simultaneous linear estimation of multiple view geometry and lens
+/// distortion" (2001), with one parameter k: the image point d shows the ray (d, 1 + k |d|²). With the
+/// discriminant D = z² − 4 k q, the solution that is the pinhole for k = 0 is d = s (x, y) with s = 2/(z +
+/// √D). With k < 0, there are also rays behind the camera. If D < 0, there is no solution. Then s continues
+/// to increase by the reflection of its graph at D = 0: s = 4/z − 2/(z + √−D).
+struct DivisionMapping {
+  static constexpr int kSize = 1;
+
+  template <class S>
+  static ImageScale<S, kSize> scale(const S& q, const S& z, const S* k) {
+    const S D = z * z - 4.0 * k[0] * q;
+    const auto is_negative = D < 0.0;
+    const Root<S> signed_root = root(D);
+    const S sign = choose(is_negative, S(-1.0), S(1.0));
+    const Inverse<S> s = inverse(S(0.5 * (z + sign * signed_root.value)));
+    const S by_z = sign * 0.5 * s.slope, by_D = 0.5 * s.slope * signed_root.slope;
+    const Inverse<S> at_zero = inverse(S(0.5 * z));
+    const S zero(0.0);
+    return {S(sign * s.value + choose(is_negative, S(2.0 * at_zero.value), zero)),
+            S(by_D * -4.0 * k[0]),
+            S(by_z + by_D * 2.0 * z + choose(is_negative, at_zero.slope, zero)),
+            {S(by_D * -4.0 * q)}};
+  }
+  template <class S>
+  static bool sees(const S& q, const S& z, const S* k) {
+    const S D = z * z - 4.0 * k[0] * q;
+    return D > 0.0 && (k[0] < 0.0 || z > 0.0) && 0.5 * (z + root(D).value) > kSmallDivisor;
+  }
+};
+
 /// A mapping and a distortion. The parameters k are those of the mapping, then those of the distortion. The
 /// camera looks along the axis kForward z.
 template <class Mapping, class Distorted, int kForward = 1>
