@@ -244,9 +244,9 @@ void compare_collections() {
       "\n### Photo collections\n\n"
       "Simulated (`simulate ba --shape collection`): nearly all cameras share points. Time until the cost "
       "is\n"
-      "within 1e-3 of the lowest one, with one thread and automatic derivatives in Ceres. The columns are "
-      "as\n"
-      "above. The share of the plan is that of boxplus's whole run.\n");
+      "within 1e-3 of the lowest one, with one thread and automatic derivatives in Ceres. The phases are in "
+      "ns\n"
+      "per observation and iteration. The share of the plan is that of boxplus's whole run.\n");
   const std::string path =
       (std::filesystem::temp_directory_path() / fmt::format("boxplus-collection-{}.bal", getpid())).string();
   for (const Collection& collection : collections) {
