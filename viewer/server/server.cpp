@@ -16,6 +16,7 @@
 #include "boxplus/base/error.h"
 #include "viewer/server/command.h"
 #include "viewer/server/element_request.h"
+#include "viewer/server/growing_pool.h"
 #include "viewer/server/guard.h"
 #include "viewer/server/page.h"
 
@@ -36,6 +37,16 @@ constexpr auto kPatienceToWrite = 30s;
 constexpr std::size_t kPiece = std::size_t{1} << 20;
 /// Between two groups of messages to a page; 30 frames per second.
 constexpr auto kPause = 33ms;
+
+class Tasks final : public httplib::TaskQueue {
+ public:
+  explicit Tasks(GrowingPool& pool) : pool_(pool) {}
+  void enqueue(std::function<void()> job) override { pool_.enqueue(std::move(job)); }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  GrowingPool& pool_;
+};
 
 /// Two servers must not share a port, as they would with SO_REUSEPORT.
 void allow_restart(socket_t socket) {
@@ -118,7 +129,7 @@ class Server::Implementation {
  public:
   Implementation(Workspace& workspace, const ServerOptions& options)
       : workspace_(workspace), guard_(options.host, bind(options), make_token()) {
-    http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    http_.new_task_queue = [this] { return new Tasks(pool_); };
     http_.set_payload_max_length(kLongestFile);
     http_.set_read_timeout(kPatience);
     http_.set_write_timeout(kPatienceToWrite);
@@ -290,6 +301,7 @@ class Server::Implementation {
   }
 
   Workspace& workspace_;
+  GrowingPool pool_{kThreads};
   httplib::Server http_;
   Guard guard_;
   std::atomic<int> streams_ = 0;
