@@ -34,8 +34,8 @@ class Viewer:
     def close(self):
         """Ends the server and closes all pages. Returns within a second, or when a run that a page has started has ended its
         iteration. During an optimize() in another thread, the server ends with this run."""
-        _open.discard(self)
         self._native.close()
+        _open.discard(self)
 
     def update(self):
         """Shows the current estimates, and the vertices and edges if they have changed."""

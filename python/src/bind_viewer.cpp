@@ -7,6 +7,7 @@
 
 #include "bind.h"
 #include "convert.h"
+#include "edge_function.h"
 #include "viewer_interface.h"
 
 namespace boxplus::python {
@@ -40,7 +41,10 @@ class ViewerObject {
     url_ = viewer_->url();
     graph_->add_viewer(viewer_);
   }
-  ~ViewerObject() { close(); }
+  ~ViewerObject() {
+    std::exchange(viewer_, nullptr).reset();
+    lent_.reset();
+  }
   ViewerObject(const ViewerObject&) = delete;
   ViewerObject& operator=(const ViewerObject&) = delete;
 
@@ -48,6 +52,7 @@ class ViewerObject {
   bool is_closed() const { return viewer_ == nullptr; }
 
   void close() {
+    expect_no_function("close");
     std::exchange(viewer_, nullptr).reset();
     lent_.reset();
   }
@@ -77,6 +82,7 @@ class ViewerObject {
   void take_back() {
     const std::shared_ptr<ViewerInterface> viewer = open_viewer();
     if (!lent_) return;
+    expect_no_function("take_back");
     {
       const py::gil_scoped_release release;
       viewer->take_back();
@@ -85,6 +91,12 @@ class ViewerObject {
   }
 
  private:
+  /// A run of a page cannot end while it waits for its own error function.
+  void expect_no_function(const char* name) const {
+    if (lent_ && EdgeFunction::is_called())
+      throw InvalidArgument(std::string("Viewer: an error function cannot call ") + name +
+                            "() while pages may optimize the graph");
+  }
   std::shared_ptr<ViewerInterface> open_viewer() const {
     if (!viewer_) throw InvalidArgument("Viewer: this viewer is closed");
     return viewer_;

@@ -109,6 +109,12 @@ BatchResult EdgeFunction::operator()(const Batch& batch, int rows, Want want) {
   const py::tuple arguments = arguments_of(batch);
   py::list dims;
   for (const VertexKind* kind : kinds_) dims.append(kind->dim);
+  struct Depth {
+    explicit Depth(int& count) : count_(count) { ++count_; }
+    ~Depth() { --count_; }
+    int& count_;
+  };
+  const Depth depth(depth_);
   const py::tuple answer =
       helpers().attr("evaluate")(edge_, arguments, dims, rows, static_cast<int>(want),
                                  seeds_of(batch, kinds_), moved_of(batch, kinds_), objects_of(kinds_));

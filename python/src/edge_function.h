@@ -54,6 +54,9 @@ class EdgeFunction {
   /// known. Exceptions of Python pass through; a result of the wrong shape is a ValueError.
   BatchResult operator()(const Batch& batch, int rows, Want want);
 
+  /// Whether this thread is in a call of such a function.
+  static bool is_called() { return depth_ > 0; }
+
   struct Cost {
     std::int64_t calls = 0, edges = 0;
     double seconds = 0;
@@ -62,6 +65,8 @@ class EdgeFunction {
   Cost cost() const { return {calls_, edges_, seconds_}; }
 
  private:
+  inline static thread_local int depth_ = 0;
+
   py::object edge_;
   std::vector<const VertexKind*> kinds_;
   std::string name_;

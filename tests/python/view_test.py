@@ -239,6 +239,29 @@ class HandedOver(unittest.TestCase):
             viewer.take_back()
         self.assertGreater(len(threads), 1)
 
+    def test_an_error_function_cannot_end_the_run_that_calls_it(self):
+        graph = Graph()
+        graph.add_vertex([0.0])
+        refused, is_lent = [], False
+
+        def ends(x):
+            for method in (viewer.close, viewer.take_back) if is_lent else ():
+                try:
+                    method()
+                except InvalidArgument as error:
+                    refused.append(str(error))
+            return x - 1
+
+        graph.add_edge(ends, 0)
+        with view(graph) as viewer, Page(viewer) as page:
+            is_lent = True
+            viewer.hand_over()
+            page.optimize()
+            is_lent = False
+            viewer.take_back()
+        self.assertIn("Viewer: an error function cannot call take_back() while pages may optimize the graph", refused)
+        self.assertIn("Viewer: an error function cannot call close() while pages may optimize the graph", refused)
+
     def test_close_stops_a_run_of_a_page(self):
         graph = Graph()
         graph.add_vertex([0.0])
