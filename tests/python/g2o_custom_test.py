@@ -124,7 +124,8 @@ class Custom(unittest.TestCase):
         optimizer, curve, A = self.fit(WithJacobian, 14)
         ok, blocks = optimizer.compute_marginals(curve)
         self.assertTrue(ok)
-        np.testing.assert_allclose(blocks.block(0, 0), np.linalg.inv(A.T @ A), rtol=1e-3, atol=1e-3)
+        expected = np.linalg.inv(A.T @ A)  # its last digits depend on the BLAS of NumPy
+        np.testing.assert_allclose(blocks.block(0, 0), expected, rtol=1e-3, atol=1e-6 * np.abs(expected).max())
 
     def test_steps_follow_oplus_impl(self):
         random = np.random.default_rng(2)
