@@ -95,7 +95,8 @@ std::string clean_name(std::string name) {
 
 /// What the body of /open is.
 bool opens_truth(std::string_view as) {
-  if (!as.empty() && as != "graph" && as != "truth") throw InvalidArgument("as: expected one of graph, truth");
+  if (!as.empty() && as != "graph" && as != "truth")
+    throw InvalidArgument("as: expected one of graph, truth");
   return as == "truth";
 }
 
