@@ -31,7 +31,7 @@ struct ConstraintValue {
   py::object edge;
 };
 
-/// Where an edge is added: to a graph or, if `pool` is given, to a pool of its type that is not in a graph.
+/// The place of a new edge: a graph or, if `pool` is given, a pool of its type that is not in a graph.
 struct EdgePlace {
   Graph* graph;
   const VertexRef* vertices;
