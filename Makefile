@@ -3,7 +3,7 @@
 
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)
-FUZZ_SECONDS ?= 60
+FUZZ_SECONDS ?= 600
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
@@ -46,6 +46,7 @@ bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
 	@build/bench/bin/covariance_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
+	@build/bench/bin/outlier_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/bundle_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@scripts/page_tools.sh
@@ -86,7 +87,7 @@ check: ## checks the format, the direction of includes, the tests of the guarant
 	@scripts/check_guarantees.py
 	@scripts/count_words.py --check
 
-fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (60) each
+fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (600) each
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --parallel $(JOBS) --target fuzzers
 	@fuzz/run.sh $(FUZZ_SECONDS)

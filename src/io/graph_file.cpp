@@ -81,9 +81,10 @@ const FileFormat& format_to_write(std::string_view path, std::string_view read_a
   const auto is_possible = [&](const FileFormat& format) {
     return format.can_write() && (format.is_folder() || !to_folder);
   };
-  for (const FileFormat* format : {formats.of_path(path), formats.find(read_as)}) {
-    if (format && is_possible(*format)) return *format;
-  }
+  if (const FileFormat* format = formats.of_path(path); format && is_possible(*format)) return *format;
+  if (const FileFormat* format = formats.find(read_as);
+      format && is_possible(*format) && !format->written_on_request)
+    return *format;
   const auto first = std::find_if(formats.all().begin(), formats.all().end(), is_possible);
   if (first == formats.all().end())
     throw InvalidArgument("cannot write a graph: no writable format is registered");

@@ -115,4 +115,15 @@ void write_information(const detail::InformationView& information, FieldWriter& 
   }
 }
 
+void write_information(const detail::InformationView& information, FieldWriter& out,
+                       void (*from_upper_triangle)(std::span<double> upper)) {
+  auto& values = detail::thread_scratch<std::vector<double>, struct WrittenInformation>();
+  values.clear();
+  for (int i = 0; i < information.rows; ++i) {
+    for (int j = i; j < information.rows; ++j) values.push_back(information(i, j));
+  }
+  from_upper_triangle(values);
+  for (const double value : values) out.number(value);
+}
+
 }  // namespace boxplus

@@ -18,6 +18,17 @@ class ConvertTest(CommandCase):
         self.assertEqual(out.read_text(encoding="utf-8"),
                          "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 51 2 3 52 4 53\n")
 
+    def test_graphs_become_toro_and_gm2dl_files(self):
+        lines = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 51 2 3 52 4 53\n"
+        g2o = self.written("in.g2o", "PARAMS_SE2OFFSET 0 0 0 0\n" + lines)
+        for name, vertex, edge in (("out.graph", "VERTEX2", "EDGE2"), ("out.gm2dl", "VERTEX", "EDGE")):
+            done = run("convert", g2o, self.path / name)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("1 parameter", done.stderr)
+            self.assertEqual((self.path / name).read_text(encoding="utf-8"),
+                             f"{vertex} 0 0 0 0\n{vertex} 1 1 0 0\n{edge} 0 1 1 0 0 51 2 52 53 3 4\n")
+            self.assertEqual(run("convert", self.path / name, "-").stdout, lines)
+
     def test_converting_a_converted_file_does_not_change_it(self):
         once = run("convert", TOWN, "-").stdout
         again = run("convert", "-", "-", stdin=once)
@@ -34,8 +45,8 @@ class ConvertTest(CommandCase):
     def test_refuses_bad_input_and_changes_no_file(self):
         out = self.written("out.g2o", "precious")
         self.assert_refused(run("convert", self.written("bad.g2o", "VERTEX_SE2 0\n"), out), "bad.g2o:1:13: expected")
-        self.assert_refused(run("convert", TOWN, self.path / "out.graph"), "expected a .g2o, BAL's .bal, ",
-                            " or .ply as output, because boxplus can only read TORO's .graph")
+        self.assert_refused(run("convert", TOWN, self.path / "out.isam"), "expected a .g2o, TORO's .graph, ",
+                            " or .ply as output, because boxplus can only read iSAM's .isam")
         self.assert_refused(run("convert", TOWN), "expected OUT, got none")
         self.assert_refused(run("convert", TOWN, ""), "OUT: expected the name of a file, got ''")
         self.assertEqual(out.read_text(encoding="utf-8"), "precious")

@@ -67,9 +67,9 @@ class LogsTest(CommandCase):
                 self.assert_refused(run(*words), complaint)
             self.assertEqual(run("info", path, "--lenient").returncode, 0)
 
-    def test_graphs_cannot_be_written_in_these_formats(self):
+    def test_graphs_cannot_be_written_in_some_of_these_formats(self):
         path = self.written("log.clf", CARMEN)
-        for name in TEXTS:
+        for name in ("log.clf", "graph.isam"):
             done = run("convert", path, self.path / f"out_{name}")
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn("as output, because boxplus can only read", done.stderr)

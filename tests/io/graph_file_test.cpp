@@ -54,18 +54,18 @@ TEST(GraphFile, CannotBeWrittenInAnUnknownOrReadOnlyFormat) {
   std::string known;
   for (const FileFormat& format : default_formats().all()) known += (known.empty() ? "" : ", ") + format.name;
   EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known formats: " + known);
-  EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is read-only");
+  EXPECT_EQ(complaint("iSAM"), "cannot write iSAM's .isam: the format is read-only");
 }
 
 TEST(GraphFile, IsRefusedIfNoFormatRecognizesItsText) {
   FileFormats formats;
-  FileFormat format = *default_formats().find("TORO");
+  FileFormat format = *default_formats().find("iSAM");
   formats.add(format);
   try {
     parse_graph("VERTEX_SE2 0 0 0 0\n", "g", {.formats = &formats});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "g:1:1: expected a supported format (TORO's .graph), got another one");
+    EXPECT_STREQ(error.what(), "g:1:1: expected a supported format (iSAM's .isam), got another one");
   }
   EXPECT_THROW(format_graph(Graph{}, {.formats = &formats}), InvalidArgument);
 }

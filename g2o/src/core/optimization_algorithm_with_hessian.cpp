@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <typeinfo>
 
 #include "core/absent_solver.h"
-#include "g2o/core/factory.h"
+#include "core/findings.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
 #include "g2o/stuff/timeutil.h"
@@ -20,11 +18,7 @@ namespace {
 void report_edge(const SparseOptimizer& optimizer) {
   for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
     if (std::isfinite(e->chi2())) continue;
-    std::string name = Factory::instance()->tag(e);
-    if (name.empty()) name = typeid(*e).name();
-    for (const HyperGraph::Vertex* v : e->vertices())
-      name += v != nullptr ? " " + std::to_string(v->id()) : " -";
-    return G2O_ERROR("the error of the edge {} is not finite", name);
+    return G2O_ERROR("the error of the edge {} is not finite", internal::nameOf(*e));
   }
   G2O_ERROR("the derivatives of an error are not finite");
 }

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <set>
 
+#include "core/findings.h"
 #include "engine/edge_parts.h"
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/optimization_algorithm.h"
@@ -189,7 +191,9 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     if (_verbose) writeVerboseLine(*algorithm, done, seconds, total);
     postIteration(done);
   }
-  return result == OptimizationAlgorithm::Fail ? 0 : done;
+  const bool has_failed = result == OptimizationAlgorithm::Fail;
+  if (_verbose && (has_failed || !std::isfinite(activeRobustChi2()))) internal::reportFindings(*this);
+  return has_failed ? 0 : done;
 }
 
 void SparseOptimizer::writeVerboseLine(const OptimizationAlgorithm& algorithm, int iteration, double seconds,

@@ -114,9 +114,10 @@ void write_measurement(const SE3& z, FieldWriter& out);
 
 /// The fields of an edge in a file, between the ids of its vertices and Ω. By default, these are the fields
 /// of its member `measurement`. Quaternions of measurements are normalized. If files do not list Ω as its
-/// upper triangle by rows (another order or scale), the specialization also has a function that converts it:
+/// upper triangle by rows (another order or scale), the specialization also has functions that convert it:
 ///
 ///     static void to_upper_triangle(std::span<double> listed);
+///     static void from_upper_triangle(std::span<double> upper);
 ///
 /// If lines have fields after Ω, it has functions for them, too:
 ///

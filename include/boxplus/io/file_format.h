@@ -64,6 +64,10 @@ struct FileFormat {
   /// Whether files keep the kernels, levels and fixed directions of a graph, and which edges are disabled.
   bool keeps_everything = false;
 
+  /// Whether a graph is written in this format only if its name or its extension is given, because .g2o keeps
+  /// more. Otherwise a graph that was read in a format is also written in it.
+  bool written_on_request = false;
+
   bool is_folder() const { return static_cast<bool>(folder.recognize); }
   bool can_read() const { return read || folder.read; }
   bool can_write() const { return write || folder.write; }

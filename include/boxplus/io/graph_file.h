@@ -45,7 +45,8 @@ struct WriteOptions {
   const Registry* registry = nullptr;    ///< nullptr: default_registry()
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
   /// The name of a format. If it is empty, the extension of the file selects the format. If no writable
-  /// format has this extension, a graph that was read from a file is written in the format of that file.
+  /// format has this extension, a graph that was read from a file is written in the format of that file
+  /// (TORO and Gm2dl are only written if their name or extension is given).
   /// Otherwise the first format (.g2o) is used. If the path is that of a folder (one that exists, or a name
   /// with / at its end), only formats of folders are considered; the first one is COLMAP.
   std::string format = {};

@@ -13,6 +13,9 @@ namespace boxplus {
 /// Throws InputError if Ω is zero, or if it is indefinite and the reader does not project it.
 Information read_information(FieldReader& in, int rows);
 void write_information(const detail::InformationView& information, FieldWriter& out);
+/// `from_upper_triangle` converts the values to those that the file lists.
+void write_information(const detail::InformationView& information, FieldWriter& out,
+                       void (*from_upper_triangle)(std::span<double> upper));
 
 namespace detail {
 

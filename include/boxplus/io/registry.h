@@ -20,13 +20,15 @@
 
 namespace boxplus {
 
-/// Maps tags to types and types to tags. If several tags stand for one type, the first tag is written. All
-/// functions that add a tag throw InvalidArgument if the tag is taken or is not valid in a file.
+/// Maps tags to types and types to tags. The class Fields reads and writes the fields of a line; another
+/// class than the default one is for a second layout of the same type. If several tags stand for one type,
+/// the first tag is written. All functions that add a tag throw InvalidArgument if the tag is taken or is not
+/// valid in a file.
 class Registry {
  public:
-  template <class T>
+  template <class T, class Fields = FileFields<T>>
   void vertex(std::string name, const std::string& example = {}) {
-    add(detail::vertex_tag<FileFields<T>, T>(std::move(name)), example);
+    add(detail::vertex_tag<Fields, T>(std::move(name)), example);
   }
   template <class T>
   void parameter(std::string name, const std::string& example = {}) {
@@ -37,6 +39,10 @@ class Registry {
   void edge(std::string name, const std::string& example = {}) {
     add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)), example);
   }
+  template <class Fields, class E, class... V>
+  void edge_with_fields(std::string name, const std::string& example = {}) {
+    add(detail::edge_tag<Fields, E, V...>(std::move(name)), example);
+  }
   /// Adds the type of the edges whose lines have this tag and end with the same parameter twice. V… lists
   /// this parameter once.
   template <class E, class... V>
@@ -44,8 +50,7 @@ class Registry {
     add_shared(detail::edge_tag<EdgeFields<E>, E, V...>(name), example);
   }
   /// Adds an old tag of vertices (edges). The tag is only read; the vertices (edges) are written with another
-  /// tag. The class Fields reads the fields of a line. It has the interface of FileFields (EdgeFields), but
-  /// needs no write().
+  /// tag.
   template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name, const std::string& example = {}) {
     add_old(detail::vertex_tag<Fields, T>(std::move(name)), example);

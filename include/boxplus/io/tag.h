@@ -151,21 +151,23 @@ EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in
   }
 }
 
-template <class E>
+template <class Fields, class E>
 void write_edge(const Graph& graph, EdgeRef ref, FieldWriter& out) {
   const E& edge = graph.measurement(EdgeHandle<E>{ref});
-  EdgeFields<E>::write(edge, out);
-  if constexpr (requires { EdgeFields<E>::information(edge); }) {
-    require_information(graph.information(ref), EdgeFields<E>::information(edge), type_name<E>());
+  Fields::write(edge, out);
+  if constexpr (requires { Fields::information(edge); }) {
+    require_information(graph.information(ref), Fields::information(edge), type_name<E>());
+  } else if constexpr (requires { &Fields::from_upper_triangle; }) {
+    write_information(graph.information(ref), out, &Fields::from_upper_triangle);
   } else {
     write_information(graph.information(ref), out);
   }
-  if constexpr (requires { EdgeFields<E>::write_rest(edge, out); }) EdgeFields<E>::write_rest(edge, out);
+  if constexpr (requires { Fields::write_rest(edge, out); }) Fields::write_rest(edge, out);
 }
 
-template <class E>
+template <class Fields, class E>
 void write_rest(const Graph& graph, EdgeRef ref, FieldWriter& out) {
-  EdgeFields<E>::write_rest(graph.measurement(EdgeHandle<E>{ref}), out);
+  Fields::write_rest(graph.measurement(EdgeHandle<E>{ref}), out);
 }
 
 template <class Fields>
@@ -187,7 +189,7 @@ Tag vertex_tag(std::string name) {
     return graph.add_vertex(std::move(value), id);
   };
   tag.write_vertex = [](const Graph& graph, VertexRef ref, FieldWriter& out) {
-    FileFields<T>::write(graph.estimate(VertexHandle<T>{ref}), out);
+    Fields::write(graph.estimate(VertexHandle<T>{ref}), out);
   };
   return tag;
 }
@@ -210,13 +212,12 @@ Tag edge_tag(std::string name) {
   tag.optional_fields = kOptionalFields<Fields>;
   tag.check_edge = &check_edge<Fields, E, Strip<V>...>;
   tag.read_edge = &read_edge<Fields, E, Strip<V>...>;
-  tag.write_edge = &write_edge<E>;
-  using Written = EdgeFields<E>;
+  tag.write_edge = &write_edge<Fields, E>;
   tag.lists_information = !requires(const E& edge) {
-    Written::information(edge);
+    Fields::information(edge);
   };
-  if constexpr (requires(const E& edge, FieldWriter& out) { Written::write_rest(edge, out); })
-    tag.write_rest = &write_rest<E>;
+  if constexpr (requires(const E& edge, FieldWriter& out) { Fields::write_rest(edge, out); })
+    tag.write_rest = &write_rest<Fields, E>;
   return tag;
 }
 

@@ -21,6 +21,13 @@ namespace {
 
 constexpr std::string_view kOdometry = "ODOM", kFrontLaser = "FLASER", kRearLaser = "RLASER";
 
+/// ROBOTLASER2 to ROBOTLASER5: the other lasers of the robot, with the fields of ROBOTLASER1.
+bool is_other_laser(std::string_view tag) {
+  constexpr std::string_view kName = RobotLaser::kTag.substr(0, RobotLaser::kTag.size() - 1);
+  return tag.size() == RobotLaser::kTag.size() && tag.starts_with(kName) && tag.back() >= '2' &&
+         tag.back() <= '5';
+}
+
 /// Ranges of a SICK LMS 200 from here on (8183 to 8191 cm) are codes of failures.
 constexpr double kAssumedMaxRange = 81.83;
 
@@ -44,11 +51,11 @@ class CarmenReader {
       take_odometry(in);
     } else if (tag == kFrontLaser || tag == kRearLaser) {
       take_laser(in);
-    } else if (tag == RobotLaser::kTag) {
+    } else if (tag == RobotLaser::kTag || is_other_laser(tag)) {
       const FieldPlace begin = in.place();
       const RobotLaser laser = RobotLaser::read(in);
       move_to(laser.robot_pose, begin, in);
-      keep(line);
+      keep(tag == RobotLaser::kTag ? std::string(line) : format_data(laser));
     } else if (tag == RawLaser::kTag) {
       RawLaser::read(in);
       keep(line);
@@ -150,7 +157,7 @@ bool is_log(std::string_view text) {
     return each == RobotLaser::kTag || each == RawLaser::kTag;
   });
   if (tag.empty()) return has_pose;
-  return std::find(kMessages.begin(), kMessages.end(), tag) != kMessages.end();
+  return is_other_laser(tag) || std::find(kMessages.begin(), kMessages.end(), tag) != kMessages.end();
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 //     ODOM x y θ tv rv acceleration STAMP
 //     FLASER n r₁ … rₙ  x y θ of the laser  x y θ of the robot  STAMP     (RLASER: the laser at the back)
 //     ROBOTLASER1, RAWLASER1                                              (io/robot_laser.h, io/raw_laser.h)
+//     ROBOTLASER2 … ROBOTLASER5: other lasers of the robot; they are kept as ROBOTLASER1, which has the pose
+//     of its laser
 //
 // The format is read-only.
 #pragma once

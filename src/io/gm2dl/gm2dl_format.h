@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gm2dl: pose graphs in the plane with laser scans. Its lines look like those of TORO, with older names of
-// the tags (VERTEX, EDGE), and have lines ROBOTLASER1 (io/data.h) behind their vertices. The format is
-// read-only.
+// the tags (VERTEX, EDGE), and have lines ROBOTLASER1 (io/data.h) behind their vertices.
 #pragma once
 
 #include "boxplus/io/file_format.h"

@@ -5,7 +5,8 @@
 
 namespace boxplus {
 
-/// The tags of default_registry(), and those of bundle adjustment, which .g2o files do not have.
+/// The tags of default_registry(), and those of bundle adjustment and inertial sensors, which .g2o files do
+/// not have.
 const Registry& json_registry();
 
 }  // namespace boxplus

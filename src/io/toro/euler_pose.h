@@ -21,6 +21,17 @@ inline SE3 read_euler_pose(FieldReader& in) {
                                            sy * cp * cr - cy * sp * sr, cy * cp * cr + sy * sp * sr});
 }
 
+/// Writes x y z roll pitch yaw. The angles are computed one after the other, so that they together are the
+/// rotation also where pitch = ±π/2, where roll and yaw are not unique.
+inline void write_euler_pose(const SE3& pose, FieldWriter& out) {
+  for (int i = 0; i < 3; ++i) out.number(pose.translation()[i]);
+  const Matrix<double, 3, 3> R = pose.rotation();
+  const double yaw = std::atan2(R(1, 0), R(0, 0)), c = std::cos(yaw), s = std::sin(yaw);
+  const double pitch = std::atan2(-R(2, 0), c * R(0, 0) + s * R(1, 0));
+  const double roll = std::atan2(s * R(0, 2) - c * R(1, 2), c * R(1, 1) - s * R(0, 1));
+  for (const double angle : {roll, pitch, yaw}) out.number(angle + 0.0);  // no negative zero
+}
+
 /// The vector part of a quaternion is half of a small angle. So the row of a rotation in Ω, in the order x y
 /// z roll pitch yaw, is multiplied by 2 for an edge of boxplus, whose error is (t, q_v).
 inline double euler_row_scale(int row) {

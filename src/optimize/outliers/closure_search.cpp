@@ -140,12 +140,22 @@ bool ClosureSearch::accept_all() {
   std::fill(accepted_.begin(), accepted_.end(), 1);
   Options options = options_.options;
   options.start = Start::kAutomatic;
-  options.callback = {};
-  const Report report = optimize_accepted(options);
   // False closures may also bend the odometry until they fit.
   constexpr double kMostChi2 = 4;
-  bool all_fit =
-      report.converged() && !(report.chi2_per_degree() > std::max(1.0, kMostChi2 * cycles_.noise_scale));
+  const double most = std::max(1.0, kMostChi2 * cycles_.noise_scale);
+  // With false closures, chi2 falls slowly above its limit, and each iteration is expensive, because they
+  // fill the factor. So the run is given up if a few more iterations like the last one would not suffice.
+  constexpr int kFewIterations = 2, kMoreIterations = 4;
+  double degrees = 0;  // about: the odometry determines the poses
+  for (const PoseEdge& closure : poses_.closures) degrees += closure.rows;
+  double before = std::numeric_limits<double>::infinity();
+  options.callback = [&](const IterationRecord& record) {
+    const double ahead = record.chi2 * std::pow(record.chi2 / before, kMoreIterations);
+    before = record.chi2;
+    return record.iteration <= kFewIterations || !(ahead > most * degrees);
+  };
+  const Report report = optimize_accepted(options);
+  bool all_fit = report.converged() && !(report.chi2_per_degree() > most);
   for (std::size_t k = 0; k < chi2_.size(); ++k) all_fit = all_fit && chi2_[k] <= kFarAbove * limit(k);
   if (!all_fit) std::fill(accepted_.begin(), accepted_.end(), 0);
   if (all_fit) all_accepted_ = report;

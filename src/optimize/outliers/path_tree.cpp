@@ -28,6 +28,7 @@ PathTree::PathTree(const Neighbors& neighbors, std::span<const Motion> estimates
       root_(root),
       parent_(estimates.size(), kNone),
       depth_(estimates.size(), 0),
+      jump_(estimates.size(), root),
       sums_(estimates.size()) {
   std::vector<double> length(estimates.size(), std::numeric_limits<double>::infinity());
   std::vector<const PoseEdge*> arrival(estimates.size(), nullptr);
@@ -40,8 +41,7 @@ PathTree::PathTree(const Neighbors& neighbors, std::span<const Motion> estimates
     queue.pop();
     if (reached > length[pose]) continue;
     if (const PoseEdge* edge = arrival[pose]) {
-      parent_[pose] = edge->from == pose ? edge->to : edge->from;
-      depth_[pose] = depth_[parent_[pose]] + 1;
+      set_parent(pose, edge->from == pose ? edge->to : edge->from);
       sums_[pose] = sums_[parent_[pose]];
       sums_[pose].add(edge->spread, estimates[pose].translation);
     }
@@ -56,17 +56,30 @@ PathTree::PathTree(const Neighbors& neighbors, std::span<const Motion> estimates
   }
 }
 
+void PathTree::set_parent(std::uint32_t pose, std::uint32_t parent) {
+  parent_[pose] = parent;
+  depth_[pose] = depth_[parent] + 1;
+  // Two jumps of one length become one of about twice the length.
+  const std::uint32_t first = jump_[parent], second = jump_[first];
+  const bool are_equal = depth_[parent] - depth_[first] == depth_[first] - depth_[second];
+  jump_[pose] = are_equal ? second : parent;
+}
+
+std::uint32_t PathTree::common_ancestor(std::uint32_t a, std::uint32_t b) const {
+  if (depth_[a] < depth_[b]) std::swap(a, b);
+  while (depth_[a] > depth_[b]) a = depth_[jump_[a]] >= depth_[b] ? jump_[a] : parent_[a];
+  while (a != b) {  // the jumps of poses of one depth have one length
+    const bool is_below = jump_[a] != jump_[b];
+    a = is_below ? jump_[a] : parent_[a];
+    b = is_below ? jump_[b] : parent_[b];
+  }
+  return a;
+}
+
 std::optional<Spread> PathTree::between(std::uint32_t a, std::uint32_t b) const {
   if (!reaches(a) || !reaches(b)) return std::nullopt;
-  std::uint32_t up_a = a, up_b = b;
-  while (up_a != up_b) {
-    if (depth_[up_a] >= depth_[up_b]) {
-      up_a = parent_[up_a];
-    } else {
-      up_b = parent_[up_b];
-    }
-  }
-  const PathSums path = (sums_[a] - sums_[up_a]) + (sums_[b] - sums_[up_a]);
+  const std::uint32_t top = common_ancestor(a, b);
+  const PathSums path = (sums_[a] - sums_[top]) + (sums_[b] - sums_[top]);
   return path.spread_at(estimates_[b].translation);
 }
 

@@ -32,15 +32,20 @@ class PathTree {
 
   bool reaches(std::uint32_t pose) const { return pose == root_ || parent_[pose] != kNone; }
   /// The spread of T_a⁻¹ T_b along the path of the tree from a to b, or nothing if the tree does not reach
-  /// both. It is an upper bound of the uncertainty, because other paths are ignored. O(length of the path).
+  /// both. It is an upper bound of the uncertainty, because other paths are ignored. O(log n).
   std::optional<Spread> between(std::uint32_t a, std::uint32_t b) const;
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
+  void set_parent(std::uint32_t pose, std::uint32_t parent);
+  std::uint32_t common_ancestor(std::uint32_t a, std::uint32_t b) const;
+
   std::span<const Motion> estimates_;
   std::uint32_t root_;
   std::vector<std::uint32_t> parent_, depth_;
+  std::vector<std::uint32_t>
+      jump_;  // an ancestor far above (Myers, "An applicative random-access stack", 1983)
   std::vector<PathSums> sums_;
 };
 

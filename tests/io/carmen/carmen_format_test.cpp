@@ -57,6 +57,20 @@ TEST(CarmenFormat, KeepsScansAfterTheirPose) {
   EXPECT_EQ(file.kept[2].line, 8);
 }
 
+TEST(CarmenFormat, KeepsTheScansOfOtherLasersWithThePoseOfTheirLaser) {
+  const GraphFile file = parse_graph(
+      "ROBOTLASER2 0 -1 2 1 10 0 0 1 1.5 0 2 3 3.1 1 2 0.5 0 0 0 0 0 4 host 0.7\n"
+      "RAWLASER2 0 -1 2 1 10 0 0 1 1.5 0 5 host 0.8\nROBOTLASER6 1\n",
+      "g");
+  EXPECT_EQ(file.format, "CARMEN");
+  EXPECT_EQ(file.graph.vertex_count(), 1u);
+  ASSERT_EQ(file.kept.size(), 1u);
+  EXPECT_EQ(file.kept[0].text, "ROBOTLASER1 0 -1 2 1 10 0 0 1 1.5 0 2 3 3.1 1 2 0.5 0 0 0 0 0 4 host 0.7");
+  ASSERT_EQ(file.notes.size(), 1u);
+  EXPECT_EQ(file.notes[0].text, "2 lines are not part of the graph: 1 'RAWLASER2', 1 'ROBOTLASER6'");
+  EXPECT_EQ(complaint("ROBOTLASER2 0 -1 2 1 10 0 0 1 1.5 0 2 3\n").substr(0, 8), "g:1:40: ");
+}
+
 TEST(CarmenFormat, AddsTheDirectionsOfTheBeamsOfAnOldScan) {
   const GraphFile file = parse_graph(kLog, "g");
   const RobotLaser laser = std::get<RobotLaser>(*parse_data(file.kept[1], "g"));

@@ -21,10 +21,15 @@ TEST(Gm2dlFormat, ReadsPosesScansAndEdgesWithTheInformationInTheOrderOfToro) {
   EXPECT_EQ(read_data(file, "g")[0].after, 0);
 }
 
-TEST(Gm2dlFormat, IsRecognizedByTheTagOfTheFirstElementAndReadOnly) {
+TEST(Gm2dlFormat, IsRecognizedByTheTagOfTheFirstElement) {
   EXPECT_TRUE(gm2dl_format().recognize("# a comment\nEDGE 0 1"));
   EXPECT_FALSE(gm2dl_format().recognize("VERTEX2 0 0 0 0\nVERTEX 1 0 0 0\n"));
-  EXPECT_FALSE(gm2dl_format().can_write());
+}
+
+TEST(Gm2dlFormat, WritesPosesScansAndEdgesAsItReadsThem) {
+  EXPECT_EQ(format_graph(parse_graph(kText, "g"), {.format = "Gm2dl"}), kText);
+  EXPECT_THROW(format_graph(parse_graph("VERTEX3 0 0 0 0 0 0 0\n", "g"), {.format = "Gm2dl"}),
+               InvalidArgument);
 }
 
 TEST(Gm2dlFormat, ReportsMalformedLinesWithTheirPlace) {

@@ -48,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(Library, JsonOfEveryTag, testing::ValuesIn(json_registr
                            return name;
                          });
 
-/// Tags of bundle adjustment are only in JSON. As lines, they are written with the registry of JSON.
+/// Tags of bundle adjustment and of inertial sensors are only in JSON. As lines, they are written with the
+/// registry of JSON.
 TEST_P(JsonOfEveryTag, GivesTheSameG2oFile) {
   const Registry& registry = json_registry();
   const GraphFile file = parse_graph(registry.example(GetParam()), "g.g2o", {.registry = &registry});
