@@ -187,6 +187,8 @@ class ColmapTest(CommandCase):
             images[k] = " ".join(fields[:5] + [str(3 * float(x)) for x in fields[5:8]] + fields[8:])
         (larger / "images.txt").write_text("\n".join(images) + "\n", encoding="utf-8")
         self.assertIn("with --scale, the RMSE of the ATE is", run("compare", larger, self.folder).stdout)
+        compared = json.loads(run("compare", larger, self.folder, "--json", "-").stdout)
+        self.assertLess(compared["ate_rmse_m_with_scale"], 0.5 * compared["ate_m"]["rmse"])
         self.assertNotIn("--scale", run("compare", larger, self.folder, "--scale").stdout)
         self.assertNotIn("--scale", run("compare", self.folder, self.folder).stdout)
         done = run("plot", self.folder, "-o", "-", "--format", "svg", "--truth", larger)

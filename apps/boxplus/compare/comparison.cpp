@@ -82,20 +82,21 @@ std::string comparison_json(const Comparison& comparison) {
   Json alignment = json_of(comparison.alignment);
   alignment["kind"] = name_of(comparison.kind);
   const bool by_distance = comparison.span.distance > 0;
-  const Json json{{"result", comparison.result},
-                  {"truth", comparison.truth},
-                  {"result_poses", comparison.result_poses},
-                  {"truth_poses", comparison.truth_poses},
-                  {"matched", comparison.matched},
-                  {"matched_by", comparison.matched_by},
-                  {"alignment", alignment},
-                  {"ate_m", json_of(comparison.absolute)},
-                  {"rpe",
-                   {{"count", comparison.relative.translation.count},
-                    {"steps", by_distance ? Json(nullptr) : Json(comparison.span.steps)},
-                    {"distance_m", by_distance ? Json(comparison.span.distance) : Json(nullptr)},
-                    {"translation_m", json_of(comparison.relative.translation)},
-                    {"rotation_rad", json_of(comparison.relative.rotation)}}}};
+  Json json{{"result", comparison.result},
+            {"truth", comparison.truth},
+            {"result_poses", comparison.result_poses},
+            {"truth_poses", comparison.truth_poses},
+            {"matched", comparison.matched},
+            {"matched_by", comparison.matched_by},
+            {"alignment", alignment},
+            {"ate_m", json_of(comparison.absolute)},
+            {"rpe",
+             {{"count", comparison.relative.translation.count},
+              {"steps", by_distance ? Json(nullptr) : Json(comparison.span.steps)},
+              {"distance_m", by_distance ? Json(comparison.span.distance) : Json(nullptr)},
+              {"translation_m", json_of(comparison.relative.translation)},
+              {"rotation_rad", json_of(comparison.relative.rotation)}}}};
+  if (comparison.scaled_rmse >= 0) json["ate_rmse_m_with_scale"] = comparison.scaled_rmse;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -255,17 +255,18 @@ Ordered order_by_degree(const BlockStructure& structure, std::span<const std::ui
 }
 
 /// Whether nested dissection is predicted to save more time than it takes. If nested dissection is better
-/// than minimum degree, it typically saves a fifth to a third of the operations. Times are in nanoseconds.
+/// than minimum degree, it typically saves a fifth to a third of the operations of a sparse A. Times are in
+/// nanoseconds.
 ///
-/// If two parts with the fractions a and b of all n blocks are separated, A lacks their ab n² pairs. So if A
-/// has nine tenths of all n²/2 pairs, then √(ab) ≤ 0.23, and even the best separator saves less than a
-/// quarter of the operations of a dense factor.
+/// If two parts with the fractions a and b of all n blocks are separated, A lacks their ab n² pairs. So the
+/// more of all n²/2 pairs A has, the less can be separated. Photo collections have 0.4 of them, and nested
+/// dissection then saves nothing; of 1500 cameras in a city, which have 0.04, it saves 11 %.
 bool dissection_pays(const BlockStructure& structure, double flops, const AmalgamationRule& rule) {
-  constexpr double kFactorizations = 8, kSaving = 0.2, kPerEntry = 500, kAlmostComplete = 0.9;
-  if (density(structure) > kAlmostComplete) return false;
+  constexpr double kFactorizations = 8, kSaving = 0.2, kPerEntry = 500, kDense = 0.4;
+  const double saving = kSaving * (1 - density(structure) / kDense);
   const double blocks = structure.blocks(), entries = static_cast<double>(structure.row.size());
   const double levels = std::log2(std::max(2.0, blocks / 100));
-  return kFactorizations * kSaving * rule.per_flop * flops > kPerEntry * entries * levels;
+  return kFactorizations * saving * rule.per_flop * flops > kPerEntry * entries * levels;
 }
 
 }  // namespace
