@@ -158,37 +158,50 @@ void compare_all(const std::filesystem::path& folder) {
              geometric_mean(autodiff), geometric_mean(any), geometric_mean(two_threads));
 }
 
-/// Compares the forms in which a program can state a problem. All forms need the same number of iterations.
-void compare_forms(const std::filesystem::path& folder) {
+/// A simulated street of 300 cameras and 60,000 points.
+BundleProblem street() {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / fmt::format("boxplus-street-{}.bal", getpid())).string();
+  write_graph(path, simulate_bundle(BundleShape::kStreet, {.cameras = 300, .points = 60'000}).graph);
+  BundleProblem problem = read_bundle_problem(path);
+  std::filesystem::remove(path);
+  return problem;
+}
+
+void compare_forms(const char* name, const BundleProblem& problem) {
+  std::vector<Graph> graphs;
+  for (const BundleForm form : kBundleForms) graphs.push_back(make_bundle_graph(problem, form));
+  std::vector<Contestant> contestants;
+  for (Graph& graph : graphs) {
+    contestants.emplace_back([&] {
+      graph.push();
+      const Report report = optimize(
+          graph, {.start = Start::kCurrent, .max_iterations = 5, .noise_tolerance = 0, .threads = 1});
+      graph.pop();
+      const Report::Timings& time = report.time;
+      const double seconds = time.linearize_s + time.factorize_s + time.solve_s + time.evaluate_s;
+      return Figures{1e9 * seconds / (report.iterations * static_cast<double>(report.edges))};
+    });
+  }
+  const std::vector<Figures> medians = interleaved_medians(contestants, {.least = 7, .most = 15});
+  fmt::print("\n| {} | ns | × |\n|---|--:|--:|\n", name);
+  for (std::size_t k = 0; k < medians.size(); ++k)
+    fmt::print("| {} | {:.0f} | {:.2f} |\n", describe(kBundleForms[k]), medians[k][0],
+               medians[k][0] / medians[0][0]);
+}
+
+/// Compares the forms in which a program can state a problem. Each form runs the same number of iterations.
+void compare_all_forms(const std::filesystem::path& folder) {
   fmt::print(
       "\n### Forms\n\n"
       "ns per observation for one iteration, with one thread; the mean of the first five iterations.\n"
       "The last column is the time divided by that of the first row. For all forms, vertices and edges\n"
-      "are added by a program.\n");
+      "are added by a program. The street is simulated, with 300 cameras and 60,000 points.\n");
   for (const BundleFile& file : kFiles) {
     const std::filesystem::path path = folder / "bal" / file.name;
-    if (!std::filesystem::exists(path)) continue;
-    const BundleProblem problem = read_bundle_problem(path);
-    std::vector<Graph> graphs;
-    for (const BundleForm form : kBundleForms) graphs.push_back(make_bundle_graph(problem, form));
-    std::vector<Contestant> contestants;
-    for (Graph& graph : graphs) {
-      contestants.emplace_back([&] {
-        graph.push();
-        const Report report = optimize(
-            graph, {.start = Start::kCurrent, .max_iterations = 5, .noise_tolerance = 0, .threads = 1});
-        graph.pop();
-        const Report::Timings& time = report.time;
-        const double seconds = time.linearize_s + time.factorize_s + time.solve_s + time.evaluate_s;
-        return Figures{1e9 * seconds / (report.iterations * static_cast<double>(report.edges))};
-      });
-    }
-    const std::vector<Figures> medians = interleaved_medians(contestants, {.least = 7, .most = 15});
-    fmt::print("\n| {} | ns | × |\n|---|--:|--:|\n", file.name);
-    for (std::size_t k = 0; k < medians.size(); ++k)
-      fmt::print("| {} | {:.0f} | {:.2f} |\n", describe(kBundleForms[k]), medians[k][0],
-                 medians[k][0] / medians[0][0]);
+    if (std::filesystem::exists(path)) compare_forms(file.name, read_bundle_problem(path));
   }
+  compare_forms("street", street());
 }
 
 void compare_memory(const std::string& programs, const std::filesystem::path& folder) {
@@ -307,7 +320,7 @@ int main(int count, char** words) try {
   const std::filesystem::path folder = words[1];
   const std::string programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   compare_all(folder);
-  compare_forms(folder);
+  compare_all_forms(folder);
   compare_memory(programs, folder);
   show_growth(programs);
   compare_collections();

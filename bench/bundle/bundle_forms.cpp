@@ -25,6 +25,20 @@ struct UserReprojection {
   }
 };
 
+/// The same with a vertex for T_camera_world and one for f, k1, k2.
+struct UserReprojectionOfThree {
+  double u, v;
+  template <class S>
+  Vector<S, 2> error(const BasicSE3<S>& pose, const Vector<S, 3>& intrinsics,
+                     const Vector<S, 3>& point) const {
+    const Vector<S, 3> y = pose * point;
+    const S px = -y[0] / y[2], py = -y[1] / y[2];
+    const S r2 = px * px + py * py;
+    const S scale = intrinsics[0] * (S(1) + r2 * (intrinsics[1] + r2 * intrinsics[2]));
+    return {scale * px - S(u), scale * py - S(v)};
+  }
+};
+
 struct UserReprojectionWithJacobians : UserReprojection {
   template <class A, class B>
   void jacobians(const UserCamera& camera, const Vector3& point, A& J_camera, B& J_point) const {
@@ -90,6 +104,22 @@ Graph with_vertices_of_intrinsics(const BundleProblem& problem, bool are_shared)
   return graph;
 }
 
+/// BAL's cameras look along −z, and their y points up. So the cameras of RADIAL are turned around x.
+Graph with_radial_cameras(const BundleProblem& problem) {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  std::vector<VertexHandle<RadialCamera>> intrinsics;
+  const SE3 half_turn(Vector3(0, 0, 0), detail::Quaternion<double>{1, 0, 0, 0});
+  for (const auto& c : problem.cameras) {
+    poses.push_back(graph.add_vertex(camera_from_world(c).inverse() * half_turn));
+    intrinsics.push_back(graph.add_vertex(RadialCamera(c[6], 0.0, 0.0, c[7], c[8])));
+  }
+  add_observations(problem, graph, [&](std::size_t camera, const auto& point, const auto& o) {
+    graph.add_edge(Reprojection<RadialCamera>(Vector2(o.x, -o.y)), poses[camera], point, intrinsics[camera]);
+  });
+  return graph;
+}
+
 template <class Edge>
 Graph with_custom_edges(const BundleProblem& problem) {
   Graph graph;
@@ -102,6 +132,20 @@ Graph with_custom_edges(const BundleProblem& problem) {
   return graph;
 }
 
+Graph with_custom_edges_of_three(const BundleProblem& problem) {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  std::vector<VertexHandle<Vector3>> intrinsics;
+  for (const auto& c : problem.cameras) {
+    poses.push_back(graph.add_vertex(camera_from_world(c)));
+    intrinsics.push_back(graph.add_vertex(Vector3(c[6], c[7], c[8])));
+  }
+  add_observations(problem, graph, [&](std::size_t camera, const auto& point, const auto& o) {
+    graph.add_edge(UserReprojectionOfThree{o.x, o.y}, poses[camera], intrinsics[camera], point);
+  });
+  return graph;
+}
+
 }  // namespace
 
 std::string_view describe(BundleForm form) {
@@ -110,10 +154,14 @@ std::string_view describe(BundleForm form) {
       return "one vertex per camera";
     case BundleForm::kSeparateIntrinsics:
       return "intrinsics of each camera as a vertex";
+    case BundleForm::kRadial:
+      return "the same with RADIAL, which has 2 more parameters";
     case BundleForm::kSharedIntrinsics:
       return "shared intrinsics as a vertex";
     case BundleForm::kCustomEdge:
       return "a user's edge with automatic derivatives";
+    case BundleForm::kCustomEdgeOfThree:
+      return "a user's edge with automatic derivatives, intrinsics of each camera as a vertex";
     case BundleForm::kCustomJacobians:
       return "a user's edge with its own Jacobians";
   }
@@ -124,10 +172,14 @@ Graph make_bundle_graph(const BundleProblem& problem, BundleForm form) {
   switch (form) {
     case BundleForm::kCustomEdge:
       return with_custom_edges<UserReprojection>(problem);
+    case BundleForm::kCustomEdgeOfThree:
+      return with_custom_edges_of_three(problem);
     case BundleForm::kCustomJacobians:
       return with_custom_edges<UserReprojectionWithJacobians>(problem);
     case BundleForm::kCamera:
       return with_one_vertex_per_camera(problem);
+    case BundleForm::kRadial:
+      return with_radial_cameras(problem);
     default:
       return with_vertices_of_intrinsics(problem, form == BundleForm::kSharedIntrinsics);
   }

@@ -12,12 +12,15 @@ namespace boxplus::bench {
 enum class BundleForm {
   kCamera,              ///< one vertex per camera, and Reprojection<BalCamera>
   kSeparateIntrinsics,  ///< a vertex for the pose and one for the intrinsics of each camera
+  kRadial,              ///< as kSeparateIntrinsics, with the camera model RADIAL, which also has cx and cy
   kSharedIntrinsics,    ///< one vertex for the intrinsics of all cameras
   kCustomEdge,          ///< one vertex per camera, and a user's error function with automatic derivatives
-  kCustomJacobians      ///< the same with the user's own Jacobians
+  kCustomEdgeOfThree,   ///< the same with a vertex for the pose and one for the intrinsics of each camera
+  kCustomJacobians      ///< one vertex per camera, and the user's own Jacobians
 };
-inline constexpr BundleForm kBundleForms[] = {BundleForm::kCamera, BundleForm::kSeparateIntrinsics,
-                                              BundleForm::kSharedIntrinsics, BundleForm::kCustomEdge,
+inline constexpr BundleForm kBundleForms[] = {BundleForm::kCamera,         BundleForm::kSeparateIntrinsics,
+                                              BundleForm::kRadial,         BundleForm::kSharedIntrinsics,
+                                              BundleForm::kCustomEdge,     BundleForm::kCustomEdgeOfThree,
                                               BundleForm::kCustomJacobians};
 std::string_view describe(BundleForm form);
 

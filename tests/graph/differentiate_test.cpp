@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
@@ -143,6 +144,109 @@ TEST(Jacobian, OfEachOfSeveralEdgesInOneCallEqualsTheJacobianOfThisEdgeAlone) {
                                   jacobian.begin() + 30 * static_cast<long>(k + 1)),
               one);
     EXPECT_NEAR(one[0], 2 * x[0] * graph.estimate(c).sum(), 1e-12);
+  }
+}
+
+/// The plain way to differentiate: one pass with as many dual variables as columns, through ⊞.
+template <int kCols, class E, class... X>
+Eigen::MatrixXd by_dual_numbers(const E& e, const X&... x) {
+  using D = detail::Dual<double, kCols>;
+  int column = 0;
+  const auto moved = [&]<class T>(const T& estimate) {
+    std::vector<D> delta;
+    for (int k = 0; k < detail::tangent_dim(estimate); ++k) delta.push_back(D::variable(0, column++));
+    return Manifold<detail::Rebind<T, D>>::oplus(Manifold<T>::template cast<D>(estimate), delta.data());
+  };
+  const std::tuple<detail::Rebind<X, D>...> arguments{moved(x)...};
+  const auto result = std::apply(e, arguments);
+  Eigen::MatrixXd J(detail::row_count(result), kCols);
+  for (int i = 0; i < J.rows(); ++i)
+    for (int k = 0; k < kCols; ++k)
+      J(i, k) = D(detail::row(result, i)).derivative[static_cast<std::size_t>(k)];
+  return J;
+}
+
+TEST(Jacobian, EqualsTheDerivativeOfOplusOverDualNumbers) {
+  using X = Vector<double, kDynamic>;
+  const SE3 pose = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
+  const Vector3 intrinsics(500, -0.1, 0.02), point(0.5, -1, 9);
+  const auto length = [](const auto& a) { return (a * Vector3(1, 2, 3)).norm(); };
+  EXPECT_LE((jacobian<SE3>(length, 1, pose) - by_dual_numbers<6>(length, pose)).norm(), 1e-14);
+  const auto seen = [](const auto& a, const auto& p) { return a.inverse_times(p); };
+  EXPECT_LE((jacobian<SE3, Vector3>(seen, 3, pose, point) - by_dual_numbers<9>(seen, pose, point)).norm(),
+            1e-13);
+  const auto pixel = [](const auto& a, const auto& k, const auto& p) {
+    const auto y = a * p;
+    return Vector<std::remove_cvref_t<decltype(k[0])>, 2>((k[0] + k[1] * y[0]) * y[0] / y[2],
+                                                          (k[0] + k[2] * y[1]) * y[1] / y[2]);
+  };
+  EXPECT_LE((jacobian<SE3, Vector3, Vector3>(pixel, 2, pose, intrinsics, point) -
+             by_dual_numbers<12>(pixel, pose, intrinsics, point))
+                .norm(),
+            1e-10);
+  // Vertices of fixed and of run-time size.
+  const auto mixed = [](const auto& a, const auto& x, const auto& p) { return (x.dot(x) * (a * p)).eval(); };
+  const X x = X::LinSpaced(4, 1, 2);
+  EXPECT_LE((jacobian<SE3, X, Vector3>(mixed, 3, pose, x, point) - by_dual_numbers<13>(mixed, pose, x, point))
+                .norm(),
+            1e-11);
+}
+
+TEST(Jacobian, OfAnErrorThatTakesAVertexInTwoScalarTypesIsExact) {
+  // The error converts its arguments to plain numbers, and uses both.
+  const auto e = [](const auto& a, const auto& p) {
+    const auto y = a * p;
+    const double start = detail::scalar_value(p[0]);
+    return (y[0] * y[1] - start * y[2] + start * start * p[2]) / y[2];
+  };
+  const SE3 pose = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
+  const Vector3 point(0.5, -1, 9);
+  Eigen::MatrixXd J(1, 9);
+  double error = 0;
+  detail::automatic_jacobian<SE3, Vector3>(e, &error, J.data(), 1, 9, pose, point);
+  EXPECT_LE((J - by_dual_numbers<9>(e, pose, point)).norm(), 1e-13);
+}
+
+/// The pixel of a point, with the intrinsic parameters as a vertex.
+struct Pixel {
+  Vector2 measurement;
+  template <class S>
+  Vector<S, 2> error(const BasicSE3<S>& pose, const Vector<S, 3>& k, const Vector<S, 3>& point) const {
+    const Vector<S, 3> y = pose * point;
+    return {k[0] * y[0] / y[2] + k[1] - measurement[0], k[0] * y[1] / y[2] + k[2] - measurement[1]};
+  }
+};
+
+TEST(Jacobian, DoesNotDependOnTheEdgesBeforeInTheSameCall) {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  std::vector<VertexHandle<Vector3>> intrinsics, points;
+  for (int i = 0; i < 4; ++i) {
+    const double t = 0.1 * i;
+    poses.push_back(
+        graph.add_vertex(SE3::from_minimal((Vector<double, 6>() << t, 2, 3, t, -0.2, 0.3).finished())));
+    intrinsics.push_back(graph.add_vertex(Vector3(500 + t, 3, 4 - t)));
+    points.push_back(graph.add_vertex(Vector3(t, t * t, 9 - t)));
+  }
+  std::vector<std::uint32_t> edges;
+  for (std::size_t k = 0; k < 16; ++k) {
+    edges.push_back(static_cast<std::uint32_t>(k));
+    graph.add_edge(Pixel{Vector2(1, 2)}, poses[k / 4], intrinsics[k / 8], points[k % 4]);
+  }
+  std::vector<double> error(32), jacobian(16 * 24), alone(24);
+  detail::EdgeTile tile;
+  tile.error = error.data();
+  tile.jacobian = jacobian.data();
+  graph.edge_pools()[0]->linearize(edges, tile, false);
+  for (std::size_t k = 0; k < 16; ++k) {
+    double e[2];
+    detail::automatic_jacobian<SE3, Vector3, Vector3>(
+        Pixel{Vector2(1, 2)}, e, alone.data(), 2, 12, graph.estimate(poses[k / 4]),
+        graph.estimate(intrinsics[k / 8]), graph.estimate(points[k % 4]));
+    EXPECT_EQ(error[2 * k], e[0]);
+    EXPECT_EQ(error[2 * k + 1], e[1]);
+    const auto first = jacobian.begin() + static_cast<std::ptrdiff_t>(24 * k);
+    EXPECT_EQ(std::vector<double>(first, first + 24), alone);
   }
 }
 

@@ -34,15 +34,15 @@ struct Dual {
   using Scalar = S;
   static constexpr int kSize = N;
 
-  S value;
   std::array<S, N> derivative;
+  S value;
 
   Dual() = default;
   /// A constant: all of its derivatives are zero.
   template <LowerScalar<S> T>
-  constexpr Dual(const T& constant) : value(static_cast<S>(constant)), derivative{} {}  // NOLINT: implicit
+  constexpr Dual(const T& constant) : derivative{}, value(static_cast<S>(constant)) {}  // NOLINT: implicit
   constexpr Dual(const S& value_in, const std::array<S, N>& derivative_in)
-      : value(value_in), derivative(derivative_in) {}
+      : derivative(derivative_in), value(value_in) {}
 
   /// The independent variable `index`: its derivative is 1 in the direction `index` and 0 in all other
   /// directions.

@@ -16,6 +16,7 @@
 #include "boxplus/autodiff/numeric.h"
 #include "boxplus/base/thread_scratch.h"
 #include "boxplus/graph/error_function.h"
+#include "boxplus/manifold/lift.h"
 
 namespace boxplus::detail {
 
@@ -31,35 +32,6 @@ int argument_dim(Argument<V> x) {
   }
 }
 
-/// x ⊞ δ over dual numbers, at δ = 0. Entry k of δ is the independent variable `column + k − first` of the
-/// duals. If the duals have no variable with this index, the entry is a constant.
-template <class S, class T>
-detail::Rebind<T, S> lift(const T& x, int column, int first) {
-  constexpr int kWindow = static_cast<int>(std::tuple_size<decltype(S::derivative)>::value);
-  constexpr int kDim = Manifold<T>::kDim;
-  auto lifted = Manifold<T>::template cast<S>(x);
-  const int dim = detail::tangent_dim(x);
-  if (column >= first + kWindow || column + dim <= first) return lifted;
-  const auto seed = [&](auto& delta) {
-    for (int k = 0; k < dim; ++k) {
-      delta[static_cast<std::size_t>(k)] = S(0.0);
-      const int derivative = column + k - first;
-      if (derivative >= 0 && derivative < kWindow) {
-        delta[static_cast<std::size_t>(k)].derivative[static_cast<std::size_t>(derivative)] = 1;
-      }
-    }
-    return Manifold<detail::Rebind<T, S>>::oplus(lifted, delta.data());
-  };
-  if constexpr (kDim == kDynamic) {
-    const BorrowedScratch<std::vector<S>, struct LiftedDelta> delta;
-    delta->resize(static_cast<std::size_t>(dim));
-    return seed(*delta);
-  } else {
-    std::array<S, static_cast<std::size_t>(kDim > 0 ? kDim : 1)> delta;
-    return seed(delta);
-  }
-}
-
 /// An argument that is converted ("lifted") to dual numbers: an estimate, or the elements of a tail. An
 /// estimate that consecutive edges share is lifted only once.
 template <class V, class S>
@@ -68,12 +40,14 @@ class LiftedArgument {
   /// Lifts the estimate x of the vertex in `slot`, whose columns begin at `column`. Advances `column` to the
   /// next argument.
   void lift(const V& x, std::uint32_t slot, int& column, int first) {
-    if (!value_ || slot_ != slot || column_ != column || first_ != first) {
-      value_.emplace(detail::lift<S>(x, column, first));
-      slot_ = slot;
-      column_ = column;
-      first_ = first;
+    const int offset = column - first;
+    if (!value_ || offset_ != offset) {
+      value_.emplace(detail::lift(x, Seed<S>{offset}));
+    } else if (slot_ != slot) {
+      detail::lift_again(x, Seed<S>{offset}, *value_);
     }
+    slot_ = slot;
+    offset_ = offset;
     column += detail::tangent_dim(x);
   }
   const Lifted<V, S>& get() const { return *value_; }
@@ -81,7 +55,7 @@ class LiftedArgument {
  private:
   std::optional<Lifted<V, S>> value_;
   std::uint32_t slot_ = 0;
-  int column_ = 0, first_ = 0;
+  int offset_ = 0;
 };
 template <class T, class S>
 class LiftedArgument<Tail<T>, S> {
@@ -90,7 +64,7 @@ class LiftedArgument<Tail<T>, S> {
     values_.clear();
     values_.reserve(x.size());
     for (const T& element : x) {
-      values_.push_back(detail::lift<S>(element, column, first));
+      values_.push_back(detail::lift(element, Seed<S>{column - first}));
       column += detail::tangent_dim(element);
     }
   }

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "boxplus/manifold/lift.h"
 #include "boxplus/manifold/manifold.h"
 
 namespace boxplus {
@@ -75,6 +76,19 @@ struct Manifold<Product<Parts...>> {
   static Rebind<T> cast(const Point& x) {
     return std::apply(
         [](const Parts&... part) { return Rebind<T>(Manifold<Parts>::template cast<T>(part)...); }, x.parts);
+  }
+
+  template <class T>
+  static void lift(const Point& x, const detail::Seed<T>& seed, Rebind<T>& y) {
+    int k = 0;
+    const auto part_lift = [&]<class Part>(const Part& part, auto& lifted) {
+      detail::lift_again(part, seed.from(k), lifted);
+      k += tangent_size(part);
+    };
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (part_lift(std::get<I>(x.parts), std::get<I>(y.parts)), ...);
+    }
+    (std::index_sequence_for<Parts...>{});
   }
 
   static double* entry(Point& x, int i) requires(detail::ManifoldType<Parts>&&...) {

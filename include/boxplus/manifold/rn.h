@@ -4,6 +4,7 @@
 
 #include "boxplus/autodiff/dual.h"
 #include "boxplus/base/matrix.h"
+#include "boxplus/manifold/lift.h"
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/same_size.h"
 #include "boxplus/manifold/scalar.h"
@@ -38,6 +39,10 @@ struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
     for (Eigen::Index i = 0; i < x.size(); ++i) y[i] = T(x[i]);
     return y;
   }
+  template <class T>
+  static void lift(const Point& x, const detail::Seed<T>& seed, Rebind<T>& y) {
+    for (int i = 0; i < N; ++i) seed.set(y[i], x[i], i, {1.0});
+  }
   static S* entry(Point& x, int i) { return &x[i]; }
 };
 
@@ -59,6 +64,10 @@ requires(std::is_same_v<S, double> || detail::kIsDual<S>) struct Manifold<S> {
   template <class T>
   static T cast(const S& x) {
     return T(x);
+  }
+  template <class T>
+  static void lift(const S& x, const detail::Seed<T>& seed, T& y) {
+    seed.set(y, x, 0, {1.0});
   }
   static S* entry(S& x, int /*i*/) { return &x; }
 };

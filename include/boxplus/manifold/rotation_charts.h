@@ -15,6 +15,7 @@ namespace boxplus::detail {
 /// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). If |δ| ≥ 1, q = (δ/|δ|, 0). The chart covers
 /// every rotation once, with w ≥ 0. VERTEX_SE3:QUAT uses this chart.
 struct QuaternionChart {
+  static constexpr double kSlope = 1;  ///< of the vector part of exp(δ) at δ = 0
   template <class S>
   static Quaternion<S> exp(const S& x, const S& y, const S& z) {
     using std::sqrt;
@@ -33,6 +34,7 @@ struct QuaternionChart {
 /// δ is the rotation vector: axis times angle (radians). q = (δ sin(|δ|/2)/|δ|, cos(|δ|/2)).
 /// log() returns the vector of length ≤ π.
 struct RotationVectorChart {
+  static constexpr double kSlope = 0.5;  ///< of the vector part of exp(δ) at δ = 0
   template <class S>
   static Quaternion<S> exp(const S& x, const S& y, const S& z) {
     using std::cos;
@@ -63,5 +65,15 @@ struct RotationVectorChart {
     return {q.x * f, q.y * f, q.z * f};
   }
 };
+
+/// y ← q · exp(δ) at δ = 0 over dual numbers, as x y z w, if δ[0] is entry k of the seed (manifold/lift.h).
+template <class Chart, class S, class Seed>
+void lift_rotation(const Quaternion<double>& q, const Seed& seed, int k, S* y) {
+  const Quaternion<double> h = scaled(q, Chart::kSlope);
+  seed.set(y[0], q.x, k, {h.w, -h.z, h.y});
+  seed.set(y[1], q.y, k, {h.z, h.w, -h.x});
+  seed.set(y[2], q.z, k, {-h.y, h.x, h.w});
+  seed.set(y[3], q.w, k, {-h.x, -h.y, -h.z});
+}
 
 }  // namespace boxplus::detail

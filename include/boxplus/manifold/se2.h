@@ -8,6 +8,7 @@
 
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/angle.h"
+#include "boxplus/manifold/lift.h"
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/scalar.h"
 
@@ -118,6 +119,8 @@ class BasicSE2 {
  private:
   template <class T>
   friend class BasicSE2;
+  template <class T>
+  friend struct Manifold;
   /// sin θ / θ and (1 − cos θ) / θ.
   static std::array<S, 2> arc(const S& theta) {
     using std::cos;
@@ -162,6 +165,15 @@ struct Manifold<BasicSE2<S>> {
   template <class T>
   static BasicSE2<T> cast(const BasicSE2<S>& x) {
     return x.template cast<T>();
+  }
+  template <class T>
+  static void lift(const BasicSE2<S>& x, const detail::Seed<T>& seed, BasicSE2<T>& y) {
+    const double c = x.cos_theta(), s = x.sin_theta();
+    seed.set(y.coefficients_[0], x.x(), 0, {c, -s});
+    seed.set(y.coefficients_[1], x.y(), 0, {s, c});
+    seed.set(y.coefficients_[2], x.theta(), 2, {1.0});
+    seed.set(y.coefficients_[3], c, 2, {-s});
+    seed.set(y.coefficients_[4], s, 2, {c});
   }
 };
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "boxplus/manifold/lift.h"
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/sim3_exponential.h"
 #include "boxplus/manifold/so3.h"
@@ -139,6 +140,9 @@ class BasicSE3 {
   }
 
  private:
+  template <class T>
+  friend struct Manifold;
+
   std::array<S, 7> coefficients_;
 };
 
@@ -176,6 +180,13 @@ struct Manifold<BasicSE3<S, Chart>> {
   template <class T>
   static Rebind<T> cast(const BasicSE3<S, Chart>& x) {
     return x.template cast<T>();
+  }
+  template <class T>
+  static void lift(const BasicSE3<S, Chart>& x, const detail::Seed<T>& seed, Rebind<T>& y) {
+    const Matrix<double, 3, 3> R = x.rotation();
+    for (int i = 0; i < 3; ++i)
+      seed.set(y.coefficients_[static_cast<std::size_t>(i)], x.data()[i], 0, {R(i, 0), R(i, 1), R(i, 2)});
+    detail::lift_rotation<Chart>(x.quaternion(), seed, 3, y.coefficients_.data() + 3);
   }
 };
 

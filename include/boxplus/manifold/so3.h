@@ -7,6 +7,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "boxplus/manifold/lift.h"
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/rotation_charts.h"
 
@@ -65,6 +66,8 @@ class BasicSO3 {
   }
 
  private:
+  template <class T>
+  friend struct Manifold;
   struct Unit {};
   BasicSO3(const Quaternion& q, Unit) : coefficients_{q.x, q.y, q.z, q.w} {}
 
@@ -98,6 +101,10 @@ struct Manifold<BasicSO3<S, Chart>> {
   template <class T>
   static Rebind<T> cast(const BasicSO3<S, Chart>& x) {
     return x.template cast<T>();
+  }
+  template <class T>
+  static void lift(const BasicSO3<S, Chart>& x, const detail::Seed<T>& seed, Rebind<T>& y) {
+    detail::lift_rotation<Chart>(x.quaternion(), seed, 0, y.coefficients_.data());
   }
 };
 
