@@ -54,7 +54,7 @@ struct Column<0> {
 
 /// Y = W L⁻ᵀ. The diagonal of L contains the reciprocals of its entries.
 template <int R, int N>
-void half_block(int, int, const double* l, const double* w, double* y) {
+void whitened_block(int, int, const double* l, const double* w, double* y) {
   Column<R> columns[N];
   for_each_index<N>([&](auto p) __attribute__((always_inline)) {
     columns[p].load(w + p * R);
@@ -125,7 +125,7 @@ void subtract_transposed_multiple(int, int, const double* w, const double* x, do
 }
 
 template <int R, int N>
-inline constexpr EliminationKernels kEliminationKernels{half_block<R, N>, subtract_block_products<R, N>,
+inline constexpr EliminationKernels kEliminationKernels{whitened_block<R, N>, subtract_block_products<R, N>,
                                                         subtract_block_multiple<R, N>,
                                                         subtract_transposed_multiple<R, N>};
 

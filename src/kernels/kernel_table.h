@@ -99,7 +99,7 @@ struct BlockProducts {
 /// column-major.
 struct EliminationKernels {
   /// y = W L⁻ᵀ. L is dim × dim, with the reciprocals of its diagonal in place of the diagonal.
-  void (*half_block)(int rows, int dim, const double* l, const double* w, double* y);
+  void (*whitened_block)(int rows, int dim, const double* l, const double* w, double* y);
   /// C −= A Bᵀ for each block B. A is rows × dim, B is b_rows × dim, C is rows × b_rows.
   void (*subtract_block_products)(int rows, int dim, const double* a, const BlockProducts& products);
   /// y −= W x.

@@ -45,8 +45,8 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
 AnalyzeHints BatchSystem::hints() const {
   return {.threads = threads_,
           .eliminated_blocks = plan_->eliminated_blocks,
-          .last = plan_->loose_blocks,
-          .may_be_singular = !plan_->loose_blocks.empty(),
+          .last = plan_->undetermined_blocks,
+          .may_be_singular = !plan_->undetermined_blocks.empty(),
           .elimination_bounds = elimination_bounds_};
 }
 
@@ -87,7 +87,7 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
 }
 
 double BatchSystem::chi2() {
-  const TimeAdder adder(timings_->evaluate_s);
+  const ScopedTimer adder(timings_->evaluate_s);
   last_chi2_ = linearizer_.chi2();
   stopped_ = linearizer_.stopped();
   return last_chi2_;
@@ -104,7 +104,7 @@ bool BatchSystem::linearize() {
   if (expected && may_eliminate_early()) {
     linearize_and_eliminate(*expected);
   } else {
-    const TimeAdder adder(timings_->linearize_s);
+    const ScopedTimer adder(timings_->linearize_s);
     linearize_only();
   }
   order_.linearized();
@@ -197,7 +197,7 @@ SolveControl BatchSystem::control_with_right_hand_side() const {
 double BatchSystem::curvature(std::span<const double> d) {
   order_.expect_vector("System::curvature", d.size(), plan_->scalars());
   if (!is_complete_) return std::numeric_limits<double>::quiet_NaN();
-  const TimeAdder adder(timings_->solve_s);
+  const ScopedTimer adder(timings_->solve_s);
   if (stores_all_columns()) {
     assembled_.multiply(d.data(), product_.data());
     return dot(d, product_);
@@ -280,7 +280,7 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
 }
 
 StepResult BatchSystem::solve_precisely(const StepDamping& damping, std::span<double> step) {
-  const TimeAdder adder(timings_->solve_s);
+  const ScopedTimer adder(timings_->solve_s);
   const FactorResult factor = precise_.solve(full_damping(damping), step);
   if (factor.status != LinearStatus::kOk)
     return failed(factor.status, factor.failed_block, factor.failed_scalar);
@@ -300,7 +300,7 @@ bool BatchSystem::held_are_free(const StepDamping& damping, std::span<const doub
 
 bool BatchSystem::is_free() {
   if (!plan_->freedoms.empty()) return true;
-  if ((plan_->loose_blocks.empty() && !gauge_.has_other_types()) || !linearize()) return false;
+  if ((plan_->undetermined_blocks.empty() && !gauge_.has_other_types()) || !linearize()) return false;
   std::vector<double> step(plan_->scalars());
   return solve({}, step).status == LinearStatus::kNotPositiveDefinite;
 }
@@ -319,7 +319,7 @@ FactorResult BatchSystem::factorize(const StepDamping& damping) {
   const SolveControl control = control_with_right_hand_side();
   const std::optional<Elimination> elimination = std::exchange(elimination_, std::nullopt);
   if (elimination && elimination->damping == damping) {
-    const TimeAdder adder(timings_->factorize_s);
+    const ScopedTimer adder(timings_->factorize_s);
     const FactorResult result = streamed_.finish(elimination->full, control);
     if (result.status == LinearStatus::kOk || result.status == LinearStatus::kStopped) return result;
   }
@@ -328,14 +328,14 @@ FactorResult BatchSystem::factorize(const StepDamping& damping) {
     streamed_.run(full, control, linearize_options_, *timings_, [](const Linearizer::Batch&) {});
     if (linearizer_.stopped()) return {LinearStatus::kStopped};
   }
-  const TimeAdder adder(timings_->factorize_s);
+  const ScopedTimer adder(timings_->factorize_s);
   return stores_all_columns() ? solver_.factorize(assembled_, full, control)
                               : streamed_.finish(full, control);
 }
 
 /// Computes the step from the factor.
 SolveResult BatchSystem::solve_factorized(std::span<double> step) {
-  const TimeAdder adder(timings_->solve_s);
+  const ScopedTimer adder(timings_->solve_s);
   if (stores_all_columns()) return solver_.solve(right_hand_side_.data(), 1, step.data(), control_);
   return streamed_.solve(control_with_right_hand_side(), linearize_options_, step);
 }

@@ -87,7 +87,7 @@ class BatchSystem final : public System {
   bool is_free();
   /// Returns false after a step has shown that edges measure a motion that the plan considers free.
   bool gauge_is_free() const { return gauge_.learned().holds; }
-  /// The number of directions that are held because their pivots vanished (Plan::loose_blocks).
+  /// The number of directions that are held because their pivots vanished (Plan::undetermined_blocks).
   int held_directions() const { return static_cast<int>(gauge_.learned().lost_scalars.size()); }
   /// The vertex whose block was not positive definite in the last failed solve().
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }

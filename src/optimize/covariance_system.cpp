@@ -13,7 +13,7 @@ namespace {
 /// Whether another plan may be needed when only the estimates change, because it may treat the gauge
 /// differently. It depends on the estimates which motions of other than relative poses are free.
 bool depends_on_estimates(const Graph& graph, const Plan& plan) {
-  if (!plan.freedoms.empty() || !plan.held_scalars.empty() || !plan.loose_blocks.empty()) return true;
+  if (!plan.freedoms.empty() || !plan.held_scalars.empty() || !plan.undetermined_blocks.empty()) return true;
   const auto is_rigid = [&](const EdgeList& list) { return graph.edge_pools()[list.pool]->is_rigid(); };
   return !plan.held.empty() && !std::all_of(plan.edges.begin(), plan.edges.end(), is_rigid);
 }
@@ -123,7 +123,7 @@ void CovarianceSystem::analyze() {
   solver_ = make_linear_solver(LinearSolverKind::kBlockCholesky);
   solver_->analyze(plan_->structure,
                    {.threads = resolved_threads(*options_),
-                    .last = plan_->loose_blocks,
+                    .last = plan_->undetermined_blocks,
                     .order = order_,
                     .may_be_singular = true},
                    stop_);
@@ -156,10 +156,10 @@ void CovarianceSystem::factorize_values() {
   }
 }
 
-/// If the block of a vanished pivot is one of Plan::loose_blocks, holds the direction of the pivot, because
-/// it is gauge freedom. Otherwise, returns false.
+/// If the block of a vanished pivot is one of Plan::undetermined_blocks, holds the direction of the pivot,
+/// because it is gauge freedom. Otherwise, returns false.
 bool CovarianceSystem::hold(const FactorResult& factor) {
-  const auto& loose = plan_->loose_blocks;
+  const auto& loose = plan_->undetermined_blocks;
   const bool is_loose = std::find(loose.begin(), loose.end(), factor.failed_block) != loose.end();
   if (options_->gauge != GaugePolicy::kFixFirst || !is_loose || is_held(factor.failed_scalar)) return false;
   hold(factor.failed_block, factor.failed_scalar);

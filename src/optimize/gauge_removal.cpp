@@ -14,7 +14,7 @@ constexpr double kGaugeDamping = 1e-10;
 }  // namespace
 
 double GaugeRemoval::fraction() const {
-  const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
+  const bool is_free = !plan_->freedoms.empty() || !plan_->undetermined_blocks.empty();
   return is_free && policy_ == GaugePolicy::kDamp ? kGaugeDamping : current_.damping;
 }
 

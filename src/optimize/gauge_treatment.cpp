@@ -17,7 +17,7 @@ bool GaugeTreatment::hold_lost_pivot(const Plan& plan, std::uint32_t block, std:
     if (is_new) lost_scalars.push_back(i);
     return is_new;
   };
-  const auto& loose = plan.loose_blocks;
+  const auto& loose = plan.undetermined_blocks;
   const bool is_loose = std::find(loose.begin(), loose.end(), block) != loose.end();
   if (is_loose && scalar != BlockStructure::kAbsent) return hold(scalar);
   for (const std::uint32_t candidate : loose) {

@@ -167,7 +167,7 @@ void Optimizer::Impl::run(Algorithm* custom, Report& report) {
 RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
                                              const Stopwatch& clock) {
   {
-    const TimeAdder adder(report.time.plan_s);
+    const ScopedTimer adder(report.time.plan_s);
     if (!planned.is_current(*graph, options)) covariances.forget();
     const PlannedSystem::Origin origin = planned.update(*graph, options, stop);
     report.plan_reused = origin == PlannedSystem::Origin::kReused;

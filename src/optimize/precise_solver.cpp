@@ -31,7 +31,7 @@ bool PreciseSolver::is_stiff() {
 }
 
 void PreciseSolver::analyze() {
-  if (!analyzed_) cholesky_.analyze(plan_->structure, plan_->loose_blocks, stop_);
+  if (!analyzed_) cholesky_.analyze(plan_->structure, plan_->undetermined_blocks, stop_);
   analyzed_ = true;
 }
 

@@ -238,7 +238,7 @@ class StartSearch {
       return false;
     }
     {
-      const TimeAdder adder(guess_seconds_);
+      const ScopedTimer adder(guess_seconds_);
       const GuessLimits limits{descent_.stop(), descent_.options().max_factor_bytes,
                                resolved_threads(descent_.options()), descent_.system().elimination_order()};
       const GuessResult guess = guess_by(start, graph(), plan(), limits);

@@ -18,12 +18,12 @@ class Stopwatch {
 };
 
 /// Adds the seconds between its construction and its destruction to a total.
-class TimeAdder {
+class ScopedTimer {
  public:
-  explicit TimeAdder(double& total) : total_(total) {}
-  ~TimeAdder() { total_ += watch_.seconds(); }
-  TimeAdder(const TimeAdder&) = delete;
-  TimeAdder& operator=(const TimeAdder&) = delete;
+  explicit ScopedTimer(double& total) : total_(total) {}
+  ~ScopedTimer() { total_ += watch_.seconds(); }
+  ScopedTimer(const ScopedTimer&) = delete;
+  ScopedTimer& operator=(const ScopedTimer&) = delete;
 
  private:
   double& total_;

@@ -356,7 +356,7 @@ bool PlannedElements::has_vertex(const Graph& graph, std::uint32_t pool, std::ui
 
 bool is_extensible(const Graph& graph, const Plan& plan) {
   const bool is_held = plan.held.size() <= 1 && plan.freedoms.empty() && plan.held_scalars.empty();
-  const bool is_plain = plan.loose_blocks.empty() && plan.fixed_scalars.empty();
+  const bool is_plain = plan.undetermined_blocks.empty() && plan.fixed_scalars.empty();
   if (!is_held || !is_plain || plan.eliminated_blocks > 0 || plan.block_vertex.empty()) return false;
   DisjointSets sets(plan.block_vertex.size());
   std::size_t parts = plan.block_vertex.size();

@@ -139,7 +139,7 @@ void place_gauge(const ActiveSet& active, Plan& plan) {
     plan.held_scalars.push_back(plan.structure.offset[block_of(vertex)] +
                                 static_cast<std::uint32_t>(component));
   }
-  for (const VertexRef& vertex : active.gauge.loose) plan.loose_blocks.push_back(block_of(vertex));
+  for (const VertexRef& vertex : active.gauge.loose) plan.undetermined_blocks.push_back(block_of(vertex));
 }
 
 /// The number of chunks if vertices are eliminated. It does not depend on the number of workers, and is so

@@ -56,8 +56,8 @@ TEST_P(EliminationKernelsTest, DivideByTheFactorLikeTheReference) {
   for_each_size([&](int rows, int dim, const EliminationKernels& kernels) {
     const Matrix l = random_matrix(dim, dim, random), w = random_matrix(rows, dim, random);
     Matrix fast = random_matrix(rows * dim + kPadding, 1, random), slow = fast;
-    kernels.half_block(rows, dim, l.data(), w.data(), fast.data());
-    kEliminationReference.half_block(rows, dim, l.data(), w.data(), slow.data());
+    kernels.whitened_block(rows, dim, l.data(), w.data(), fast.data());
+    kEliminationReference.whitened_block(rows, dim, l.data(), w.data(), slow.data());
     expect_equal(fast, slow);
   });
 }

@@ -115,7 +115,7 @@ void expect_equal(const Plan& a, const Plan& b) {
     EXPECT_EQ(a.held[k].vertex, b.held[k].vertex);
   }
   EXPECT_EQ(a.held_scalars, b.held_scalars);
-  EXPECT_EQ(a.loose_blocks, b.loose_blocks);
+  EXPECT_EQ(a.undetermined_blocks, b.undetermined_blocks);
 }
 
 void expect_equal_chunks(const Plan& a, const Plan& b) {

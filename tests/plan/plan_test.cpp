@@ -159,7 +159,7 @@ TEST(Plan, FixedCamerasFixTheGaugeEvenIfTheFocalLengthInTheirEdgesIsFree) {
   const Plan held = make_plan(world.graph, {});
   EXPECT_THAT(held_ids(held), IsEmpty());
   EXPECT_THAT(held.freedoms, IsEmpty());
-  EXPECT_THAT(held.loose_blocks, IsEmpty());
+  EXPECT_THAT(held.undetermined_blocks, IsEmpty());
 }
 
 TEST(Plan, ReportsThatTheScaleIsFreeIfOnlyOneCameraIsFixed) {
@@ -219,8 +219,8 @@ TEST(Plan, EliminatesAPoseLastIfNothingFixesItAndItsFreeMotionIsUnknown) {
   graph.add_edge([](const auto& b, const auto& p) { return (p.vector() - b).eval(); }, bias, pose);
   const Plan plan = make_plan(graph, {});
   EXPECT_THAT(held_ids(plan), IsEmpty());
-  ASSERT_EQ(plan.loose_blocks.size(), 1u);
-  EXPECT_EQ(graph.id(plan.block_vertex[plan.loose_blocks[0]]), 2);
+  ASSERT_EQ(plan.undetermined_blocks.size(), 1u);
+  EXPECT_EQ(graph.id(plan.block_vertex[plan.undetermined_blocks[0]]), 2);
 }
 
 TEST(Plan, ParametersDoNotFixTheGaugeAndAreNotHeld) {
@@ -323,7 +323,7 @@ TEST(Plan, HoldsNothingIfAnEdgeMeasuresTheProductOfTwoVertices) {
   const Plan plan = make_plan(graph, {});
   EXPECT_THAT(held_ids(plan), IsEmpty());
   EXPECT_THAT(plan.freedoms, IsEmpty());
-  EXPECT_EQ(plan.loose_blocks.size(), 1u);
+  EXPECT_EQ(plan.undetermined_blocks.size(), 1u);
 }
 
 TEST(Plan, DisabledPriorsFixTheGaugeToo) {

@@ -104,14 +104,14 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
   for (_lastNumTries = 1; _lastNumTries <= _maxTrialsAfterFailure->value(); ++_lastNumTries) {
     blend(gaussNewton);
     block_solver_.multiplyHessian(_auxVector.data(), _hdl.data());
-    const double promise = 2 * b.dot(_hdl) - _hdl.dot(_auxVector);
+    const double predicted = 2 * b.dot(_hdl) - _hdl.dot(_auxVector);
     internal::PushedEstimates<SparseOptimizer> pushed(*_optimizer);
     double trial = std::numeric_limits<double>::infinity();
     if (internal::update(*_optimizer, _hdl.data())) {
       _optimizer->computeActiveErrors();
       trial = _optimizer->activeRobustChi2();
     }
-    const double gain = (chi2 - trial) / promise;
+    const double gain = (chi2 - trial) / predicted;
     const bool good = gain > 0 && std::isfinite(trial);
     if (good) {
       pushed.keep();

@@ -136,7 +136,7 @@ struct Plan {
   std::vector<std::uint32_t> held_scalars;
   /// One block of each component that may have gauge freedom other than a similarity. The block is eliminated
   /// last. If pivots of the block vanish, their directions are gauge freedom.
-  std::vector<std::uint32_t> loose_blocks;
+  std::vector<std::uint32_t> undetermined_blocks;
   std::vector<std::uint32_t> fixed_scalars;  ///< zero in every step (Graph::fix_directions())
   int max_tile_values = 0;                   ///< doubles of the largest tile
   int max_tile_rows = 0;

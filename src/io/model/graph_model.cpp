@@ -47,10 +47,10 @@ class ModelMaker {
     old_ = file.model ? file.model : &no_model;
     for (const auto& pool : graph_.vertex_pools()) entries_.emplace_back(pool->slots());
     for (const EdgeRef& edge : edges_) {
-      sights_.push_back(edge == EdgeRef{} ? std::nullopt : roles_.sight(edge));
-      if (!sights_.back()) continue;
-      for (const VertexRef& vertex : {sights_.back()->image, sights_.back()->point})
-        entry(vertex).has_sight = true;
+      pixels_.push_back(edge == EdgeRef{} ? std::nullopt : roles_.observation(edge));
+      if (!pixels_.back()) continue;
+      for (const VertexRef& vertex : {pixels_.back()->image, pixels_.back()->point})
+        entry(vertex).is_observed = true;
     }
     is_taken_.resize(edges_.size());
   }
@@ -75,23 +75,23 @@ class ModelMaker {
   struct Entry {
     std::size_t index = kNone;   // among the cameras, images or points of the model
     std::size_t camera = kNone;  // of an image, if it has edges: index among the cameras
-    bool has_sight = false;      // of an image or a point
+    bool is_observed = false;    // of an image or a point
     bool is_changed = true;      // since it was read
     bool is_frame = false;       // the vertex of a frame, which may have other images than this one
   };
   Entry& entry(VertexRef vertex) { return entries_[vertex.pool][vertex.slot]; }
 
-  Entry& image_entry(const Sight& sight) {
-    if (!sight.offset) {
-      if (entry(sight.image).index == kNone)
+  Entry& image_entry(const PixelObservation& seen) {
+    if (!seen.offset) {
+      if (entry(seen.image).index == kNone)
         refuse_for_colmap(fmt::format("an edge of pose {}, which is that of a rig without a camera there",
-                                      graph_.id(sight.image)));
-      return entry(sight.image);
+                                      graph_.id(seen.image)));
+      return entry(seen.image);
     }
-    const auto found = images_with_offset_.find({sight.image, *sight.offset});
+    const auto found = images_with_offset_.find({seen.image, *seen.offset});
     if (found == images_with_offset_.end())
       refuse_for_colmap(fmt::format("an edge of pose {} and offset {}, which are those of no image",
-                                    graph_.id(sight.image), graph_.id(*sight.offset)));
+                                    graph_.id(seen.image), graph_.id(*seen.offset)));
     return found->second;
   }
 
@@ -132,7 +132,7 @@ class ModelMaker {
   /// A constant of edges that are no reprojection errors, such as a lever arm.
   bool is_left_out(VertexRef vertex) {
     return graph_.vertex_pools()[vertex.pool]->parameter(vertex.slot) &&
-           roles_.role(vertex) != Role::kCamera && !entry(vertex).has_sight;
+           roles_.role(vertex) != Role::kCamera && !entry(vertex).is_observed;
   }
   void add_new(VertexRef vertex) {
     switch (roles_.role(vertex)) {
@@ -219,13 +219,13 @@ class ModelMaker {
   }
 
   bool take_old_edge(std::size_t k, std::size_t image, std::size_t position) {
-    if (!sights_[k]) return false;
-    const Sight& sight = *sights_[k];
-    const Entry& point = entry(sight.point);
+    if (!pixels_[k]) return false;
+    const PixelObservation& seen = *pixels_[k];
+    const Entry& point = entry(seen.point);
     Feature& feature = model_.images[image].features[position];
-    if (image_entry(sight).index != image || model_.points[point.index].id != feature.point) return false;
-    feature.pixel = {sight.pixel[0], sight.pixel[1]};
-    take(k, sight, position);
+    if (image_entry(seen).index != image || model_.points[point.index].id != feature.point) return false;
+    feature.pixel = {seen.pixel[0], seen.pixel[1]};
+    take(k, seen, position);
     return true;
   }
 
@@ -247,29 +247,28 @@ class ModelMaker {
 
   void take_new_edges() {
     for (std::size_t k = 0; k < edges_.size(); ++k) {
-      if (!sights_[k] || is_taken_[k]) continue;
-      const Sight& sight = *sights_[k];
-      Image& image = model_.images[image_entry(sight).index];
-      const std::size_t index = entry(sight.point).index;
+      if (!pixels_[k] || is_taken_[k]) continue;
+      const PixelObservation& seen = *pixels_[k];
+      Image& image = model_.images[image_entry(seen).index];
+      const std::size_t index = entry(seen.point).index;
       Point& point = model_.points[index];
       point.track.push_back({image.id, static_cast<std::uint32_t>(image.features.size())});
-      image.features.push_back({{sight.pixel[0], sight.pixel[1]}, point.id});
+      image.features.push_back({{seen.pixel[0], seen.pixel[1]}, point.id});
       changed_tracks_.push_back(index);
-      take(k, sight, image.features.size() - 1);
+      take(k, seen, image.features.size() - 1);
     }
   }
 
   /// `feature` is the position among the features of the image.
-  void take(std::size_t k, const Sight& sight, std::size_t feature) {
+  void take(std::size_t k, const PixelObservation& seen, std::size_t feature) {
     is_taken_[k] = true;
-    Entry& image = image_entry(sight);
-    const std::size_t camera = sight.camera == sight.image ? image.camera : entry(sight.camera).index;
+    Entry& image = image_entry(seen);
+    const std::size_t camera = seen.camera == seen.image ? image.camera : entry(seen.camera).index;
     if (image.camera != kNone && image.camera != camera)
-      refuse_for_colmap(fmt::format("pose {} with two cameras", graph_.id(sight.image)));
+      refuse_for_colmap(fmt::format("pose {} with two cameras", graph_.id(seen.image)));
     image.camera = camera;
-    const bool is_changed =
-        image.is_changed || entry(sight.point).is_changed || entry(sight.camera).is_changed;
-    seen_.push_back({edges_[k], image.index, feature, camera, entry(sight.point).index, is_changed});
+    const bool is_changed = image.is_changed || entry(seen.point).is_changed || entry(seen.camera).is_changed;
+    seen_.push_back({edges_[k], image.index, feature, camera, entry(seen.point).index, is_changed});
   }
 
   // ---- What follows from the observations ----
@@ -353,7 +352,7 @@ class ModelMaker {
   SparseModel model_;
   std::vector<std::vector<Entry>> entries_;                              // by pool and slot
   std::map<std::pair<VertexRef, VertexRef>, Entry> images_with_offset_;  // by vertex and offset
-  std::vector<std::optional<Sight>> sights_;                             // by position in edges_
+  std::vector<std::optional<PixelObservation>> pixels_;                  // by position in edges_
   std::vector<bool> is_taken_;                                           // by position in edges_
   std::vector<Seen> seen_;
   std::vector<std::size_t> changed_tracks_;  // indices of points
@@ -371,7 +370,7 @@ SparseModel model_of(const GraphFileView& file) {
 
 std::vector<std::string> model_losses(const GraphFileView& file) {
   const GraphRoles roles(file.graph);
-  return reprojection_losses(file.graph, [&](EdgeRef edge) { return roles.sight(edge).has_value(); });
+  return reprojection_losses(file.graph, [&](EdgeRef edge) { return roles.observation(edge).has_value(); });
 }
 
 SparseModel sparse_model(const GraphFile& file) {

@@ -50,14 +50,14 @@ void GraphRoles::require_role(VertexRef vertex) const {
                                 graph_.vertex_pools()[vertex.pool]->type_name()));
 }
 
-std::optional<Sight> GraphRoles::sight(EdgeRef edge) const {
+std::optional<PixelObservation> GraphRoles::observation(EdgeRef edge) const {
   const std::vector<VertexRef> vertices = graph_.vertices(edge);
   const bool is_on_rig = vertices.size() == 4;
   const CameraType* type = vertices.size() == 3 || is_on_rig ? types_[vertices.back().pool] : nullptr;
   const Vector2* pixel = type ? type->pixel(graph_, edge) : bal_pixel(graph_, edge);
   if (!pixel) return std::nullopt;
-  return Sight{vertices[0], vertices[1], type ? vertices.back() : vertices[0],
-               is_on_rig ? std::optional(vertices[2]) : std::nullopt, *pixel};
+  return PixelObservation{vertices[0], vertices[1], type ? vertices.back() : vertices[0],
+                          is_on_rig ? std::optional(vertices[2]) : std::nullopt, *pixel};
 }
 
 }  // namespace boxplus

@@ -13,7 +13,7 @@ namespace boxplus {
 
 /// One reprojection error. The camera of a BAL image is the vertex of the image. On a rig, the vertex of the
 /// image is T_world_rig, and the offset is T_rig_camera.
-struct Sight {
+struct PixelObservation {
   VertexRef image, point, camera;
   std::optional<VertexRef> offset;
   Vector2 pixel;
@@ -30,7 +30,7 @@ class GraphRoles {
   /// Throws InvalidArgument if the vertex has no role in bundle adjustment.
   void require_role(VertexRef vertex) const;
   /// None if the edge is no reprojection error.
-  std::optional<Sight> sight(EdgeRef edge) const;
+  std::optional<PixelObservation> observation(EdgeRef edge) const;
 
  private:
   const Graph& graph_;

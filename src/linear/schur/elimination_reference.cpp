@@ -4,7 +4,7 @@
 namespace boxplus {
 namespace {
 
-void half_block(int rows, int dim, const double* l, const double* w, double* y) {
+void whitened_block(int rows, int dim, const double* l, const double* w, double* y) {
   for (int p = 0; p < dim; ++p) {
     for (int r = 0; r < rows; ++r) {
       double sum = w[r + p * rows];
@@ -44,7 +44,7 @@ void subtract_transposed_multiple(int rows, int dim, const double* w, const doub
 
 }  // namespace
 
-const dense::EliminationKernels kEliminationReference{half_block, subtract_block_products,
+const dense::EliminationKernels kEliminationReference{whitened_block, subtract_block_products,
                                                       subtract_block_multiple, subtract_transposed_multiple};
 
 }  // namespace boxplus

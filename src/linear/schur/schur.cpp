@@ -84,7 +84,7 @@ void Schur::eliminate_columns(int index, std::uint32_t first, std::uint32_t last
     if (slice.result.status != LinearStatus::kOk) return;
     if (r_ != nullptr) reduce_column(e, w, r_, slice);
     if (reduced_values_.empty()) continue;
-    halve_column(e, w, l, slice);
+    whiten_column(e, w, l, slice);
     subtract_products(e, slice.next_target, slice);
     slice.next_target += blocks * (blocks + 1) / 2;
   }
@@ -168,12 +168,12 @@ Damping Schur::reduced_damping(const Damping& damping) const {
 }
 
 /// Computes W L⁻ᵀ of a column in slice.half_column, and sets slice.half_rows.
-void Schur::halve_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const {
+void Schur::whiten_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const {
   const int n = static_cast<int>(structure_->dim(column));
   double* half = slice.half_column.data();
   int* half_rows = slice.half_rows.data();
-  for_each_joined(column, w, [&](std::uint32_t, const double* block, int rows) {
-    kernels_(rows, n).half_block(rows, n, l, block, half);
+  for_each_coupled(column, w, [&](std::uint32_t, const double* block, int rows) {
+    kernels_(rows, n).whitened_block(rows, n, l, block, half);
     half += rows * n;
     *half_rows++ = rows;
   });
@@ -201,7 +201,7 @@ void Schur::reduce_column(std::uint32_t column, const double* w, const double* r
   double* const small = slice.small.data();
   std::copy_n(r + structure_->offset[column], n, small);
   solve_eliminated(column, small);
-  for_each_joined(column, w, [&](std::uint32_t row, const double* block, int rows) {
+  for_each_coupled(column, w, [&](std::uint32_t row, const double* block, int rows) {
     kernels_(rows, n).subtract_block_multiple(rows, n, block, small, slice.reduced_r + reduced_.offset[row]);
   });
 }
@@ -220,7 +220,7 @@ void Schur::back_substitute(const double* r, const double* reduced_x, double* x)
       const int n = static_cast<int>(structure_->dim(e));
       double* out = x + structure_->offset[e];
       std::copy_n(r + structure_->offset[e], n, out);
-      for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
+      for_each_coupled(e, [&](std::uint32_t row, const double* w, int rows) {
         kernels_(rows, n).subtract_transposed_multiple(rows, n, w, reduced_x + reduced_.offset[row], out);
       });
       solve_eliminated(e, out);
@@ -253,12 +253,12 @@ void Schur::multiply(const double* x, double* y) {
     for (std::uint32_t e = slice.first; e < slice.last; ++e) {
       const int n = static_cast<int>(structure_->dim(e));
       std::fill_n(small, n, 0.0);
-      for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
+      for_each_coupled(e, [&](std::uint32_t row, const double* w, int rows) {
         kernels_(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_.offset[row], small);
       });
       solve_eliminated(e, small);
       for (int i = 0; i < n; ++i) small[i] = -small[i];
-      for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
+      for_each_coupled(e, [&](std::uint32_t row, const double* w, int rows) {
         kernels_(rows, n).subtract_block_multiple(rows, n, w, small, slice.reduced_r + reduced_.offset[row]);
       });
     }
@@ -278,9 +278,9 @@ void Schur::block_diagonal(double* out) {
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     Slice& slice = slices_.front();
-    halve_column(e, blocks_of_w(e), factors_.data() + factor_start_[e], slice);
+    whiten_column(e, blocks_of_w(e), factors_.data() + factor_start_[e], slice);
     const double* half = slice.half_column.data();
-    for_each_joined(e, [&](std::uint32_t row, const double*, int rows) {
+    for_each_coupled(e, [&](std::uint32_t row, const double*, int rows) {
       kernels_(rows, n).subtract_block_products(rows, n, half, {half, &rows, 1, &diagonal_start_[row], out});
       half += rows * n;
     });

@@ -59,7 +59,7 @@ class Schur {
   /// and their part of the damping and of r are complete. Different threads may do this for different slices.
   /// `values` begins with the first value of these columns. When H and r are complete, call finish() with the
   /// values of H. If the eliminated columns are not stored, pass the values of the kept columns; functions
-  /// that read eliminated columns must then not be called: reduce(), back_substitute(), for_each_joined(),
+  /// that read eliminated columns must then not be called: reduce(), back_substitute(), for_each_coupled(),
   /// multiply() and block_diagonal().
   void begin(const Damping& damping, const double* r);
   void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const double* values,
@@ -79,8 +79,8 @@ class Schur {
   /// Calls f(kept block, values of the block of W, its number of rows) for each nonzero block of W in the
   /// column of the block `eliminated`.
   template <class F>
-  void for_each_joined(std::uint32_t eliminated, F&& f) const {
-    for_each_joined(eliminated, blocks_of_w(eliminated), f);
+  void for_each_coupled(std::uint32_t eliminated, F&& f) const {
+    for_each_coupled(eliminated, blocks_of_w(eliminated), f);
   }
 
   /// The values of S without the λD of the kept blocks. Empty unless `explicit_values` was true.
@@ -111,7 +111,7 @@ class Schur {
 
   /// The same. `w` is the first value of the blocks of W in the column.
   template <class F>
-  void for_each_joined(std::uint32_t eliminated, const double* w, F&& f) const {
+  void for_each_coupled(std::uint32_t eliminated, const double* w, F&& f) const {
     const std::uint32_t begin = structure_->column_start[eliminated] + 1,
                         end = structure_->column_start[eliminated + 1];
     for (std::uint32_t k = begin; k < end; ++k) {
@@ -135,7 +135,7 @@ class Schur {
   FactorResult failure(std::uint32_t block, const double* v, std::uint32_t pivot) const;
   void for_each_slice(detail::FunctionRef<void(Slice&)> f);
   void clear(Slice& slice);
-  void halve_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const;
+  void whiten_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const;
   void subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const;
   void reduce_column(std::uint32_t column, const double* w, const double* r, Slice& slice) const;
   void add_reduced_copies(const double* r, double* reduced_r) const;

@@ -98,7 +98,7 @@ class Inverter {
   template <class F>
   void for_each_reached(std::uint32_t block, F&& f) const {
     if (eliminated(block)) {
-      schur_.for_each_joined(block, [&](std::uint32_t row, const double*, int) { f(row); });
+      schur_.for_each_coupled(block, [&](std::uint32_t row, const double*, int) { f(row); });
     } else {
       f(kept(block));
     }
@@ -130,7 +130,7 @@ class Inverter {
     }
     column.transposed.resize(dim(block), size);
     Eigen::Index at = 0;
-    schur_.for_each_joined(block, [&](std::uint32_t, const double* w, int rows) {
+    schur_.for_each_coupled(block, [&](std::uint32_t, const double* w, int rows) {
       column.transposed.middleCols(at, rows) = -Eigen::Map<const MatrixXd>(w, rows, dim(block)).transpose();
       for (int r = 0; r < rows; ++r) schur_.solve_eliminated(block, column.transposed.col(at++).data());
     });
