@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures the g2o API in the optimizations of a visual SLAM system: global and local bundle adjustment, the
 // pose of one image, and a similarity between two keyframes. The argument "bundle", "local", "pose" or
-// "similarity" repeats one of them, for a profiler.
-#include <sched.h>
-
+// "similarity" repeats one of them on one thread, for a profiler.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "boxplus/base/parallel.h"
+#include "datasets/cpu_time.h"
 #include "datasets/median.h"
 #include "g2o_api/worlds.h"
 
@@ -26,28 +26,23 @@ struct Figures {
   double chi2 = 0;
 };
 
+/// The time on one thread is CPU time, which other processes disturb less.
+bool measures_cpu_time = false;
+
 double now() {
+  if (measures_cpu_time) return boxplus::bench::cpu_seconds();
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The processors on which the program may run, restricted to one as long as this object lives. boxplus uses
-/// as many threads as there are such processors.
-class OneProcessor {
- public:
-  OneProcessor() {
-    sched_getaffinity(0, sizeof all_, &all_);
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(sched_getcpu(), &one);
-    sched_setaffinity(0, sizeof one, &one);
-  }
-  ~OneProcessor() { sched_setaffinity(0, sizeof all_, &all_); }
-  OneProcessor(const OneProcessor&) = delete;
-  OneProcessor& operator=(const OneProcessor&) = delete;
-
- private:
-  cpu_set_t all_;
-};
+/// Runs `task` on one thread. All tasks that boxplus starts inside of a task run on the same thread. Measures
+/// CPU time meanwhile.
+void on_one_thread(const std::function<void()>& task) {
+  measures_cpu_time = true;
+  boxplus::detail::parallel_tasks(2, [&](int thread) {
+    if (thread == 0) task();
+  });
+  measures_cpu_time = false;
+}
 
 Figures run(g2o::SparseOptimizer& optimizer, int iterations) {
   Figures figures;
@@ -111,10 +106,7 @@ constexpr Problem kProblems[] = {{"bundle", "global bundle adjustment", run_bund
 
 void print_row(const Problem& problem) {
   Figures one;
-  {
-    const OneProcessor restricted;
-    one = median_of(problem.measure, problem.runs);
-  }
+  on_one_thread([&] { one = median_of(problem.measure, problem.runs); });
   const Figures all = median_of(problem.measure, problem.runs);
   std::printf("| %s | %zu | %d | %.1f | %.1f | %.2f | %.3f | %.1f | %.12g |\n", problem.name, one.edges,
               one.iterations, per_edge(one), per_edge(all), one.seconds / all.seconds, 1e3 * one.seconds,

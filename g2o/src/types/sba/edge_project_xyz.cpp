@@ -2,6 +2,7 @@
 // Edges for the image of a point in a single camera. The point is either a vertex or known.
 #include "g2o/types/sba/edge_project_xyz.h"
 
+#include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_xyz_onlypose.h"
 #include "types/images.h"
 #include "types/sba/adapters_sba.h"
@@ -74,5 +75,12 @@ bool EdgeSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
   return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
          adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy});
 }
+
+namespace {
+
+const internal::EvaluatedInRuns<EdgeSE3ProjectXYZ> kRunsOfSE3ProjectXYZ;
+const internal::EvaluatedInRuns<EdgeSE3ProjectXYZOnlyPose> kRunsOfSE3ProjectXYZOnlyPose;
+
+}  // namespace
 
 }  // namespace g2o
