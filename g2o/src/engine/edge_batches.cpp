@@ -98,9 +98,20 @@ struct EdgeBatches::Batch {
   std::uint32_t mask = 0;
   Adder adder;
   Edges edges;
-  int columns = 0;                     // of the Jacobians of the vertices in H
+  std::vector<int> vertices;           // the Hessian indices of the vertices in H of each edge
+  int columns = 0;                     // of the Jacobians of these vertices
   std::vector<std::uint32_t> targets;  // of each edge, as in EdgeLanes and UnaryEdges
 
+  /// Whether the edges still have the vertices that they had when they were taken.
+  bool is_current() const {
+    const int* index = vertices.data();
+    bool is_same = true;
+    for_each_ahead(edges, [&](const Edge& edge) {
+      for (const int n : adder.positions)
+        is_same &= index_of(edge.vertex(static_cast<std::size_t>(n))) == *index++;
+    });
+    return is_same;
+  }
   std::size_t targets_per_edge() const {
     const std::size_t n = adder.positions.size();
     return n + n * (n + 1) / 2;
@@ -251,50 +262,90 @@ struct EdgeBatches::Part {
   }
 };
 
+/// The edges that take() has found, before they are divided into parts.
+struct EdgeBatches::Taken {
+  struct Item {
+    Edge* edge;
+    std::uint32_t batch, begin;  // its Hessian indices begin here in `indices`
+  };
+  std::vector<Batch> batches;  // without edges
+  std::vector<Item> items;
+  std::vector<int> indices;
+  std::vector<char> is_marginalized;  // by Hessian index
+
+  const int* begin(const Item& item) const { return indices.data() + item.begin; }
+  const int* end(const Item& item) const { return begin(item) + batches[item.batch].adder.positions.size(); }
+
+  /// Returns the batch of an edge, or none if edges like this are not taken.
+  std::optional<std::uint32_t> batch_of(const Edge& edge, const EdgeKind& kind) {
+    const std::uint32_t mask = positions_in_hessian(edge);
+    for (std::uint32_t k = 0; k < batches.size(); ++k) {
+      const Batch& batch = batches[k];
+      if (batch.kind == &kind && batch.mask == mask) return k;
+    }
+    std::optional<Adder> adder = Adder::find(kind, mask);
+    if (!adder) return std::nullopt;
+    Batch batch;
+    batch.kind = &kind;
+    batch.mask = mask;
+    batch.adder = std::move(*adder);
+    for (const int n : batch.adder.positions) batch.columns += kind.dims[static_cast<std::size_t>(n)];
+    batches.push_back(std::move(batch));
+    return static_cast<std::uint32_t>(batches.size() - 1);
+  }
+
+  bool take(Edge& edge, const EdgeKind& kind) {
+    if (edge.vertices().size() != kind.dims.size()) return false;
+    for (const HyperGraph::Vertex* v : edge.vertices()) {
+      if (index_of(v) >= static_cast<int>(is_marginalized.size())) return false;  // the client changed it
+    }
+    const std::optional<std::uint32_t> batch = batch_of(edge, kind);
+    if (!batch) return false;
+    items.push_back({&edge, *batch, static_cast<std::uint32_t>(indices.size())});
+    for (const int n : batches[*batch].adder.positions) {
+      const auto* v = static_cast<const OptimizableGraph::Vertex*>(edge.vertex(static_cast<std::size_t>(n)));
+      is_marginalized[static_cast<std::size_t>(v->hessianIndex())] = v->marginalized() ? 1 : 0;
+      indices.push_back(v->hessianIndex());
+    }
+    return true;
+  }
+};
+
 /// Divides edges into parts. Vertices are numbered in the order in which edges first use them, and each part
 /// owns the vertices of a range of numbers. The ranges have similar numbers of edges.
 class EdgeBatches::Divider {
  public:
-  Divider(const Edges& edges, int vertices) : number_(static_cast<std::size_t>(vertices), -1) {
-    for (const Edge* edge : edges) {
-      for (const HyperGraph::Vertex* v : edge->vertices()) {
-        const int h = index_of(v);
-        if (h >= 0 && number(h) < 0) number_[static_cast<std::size_t>(h)] = seen_++;
-      }
+  explicit Divider(const Taken& taken) : taken_(taken), number_(taken.is_marginalized.size(), -1) {
+    int seen = 0;
+    for (const int h : taken.indices) {
+      if (number(h) < 0) number_[static_cast<std::size_t>(h)] = seen++;
     }
-    std::vector<std::int64_t> owned(static_cast<std::size_t>(seen_) + 1);
-    for (const Edge* edge : edges) ++owned[static_cast<std::size_t>(number(owner(*edge)))];
+    std::vector<std::int64_t> owned(static_cast<std::size_t>(seen));
+    for (const Taken::Item& item : taken.items) ++owned[static_cast<std::size_t>(number(owner(item)))];
+    const auto count = static_cast<std::int64_t>(taken.items.size());
     std::int64_t before = 0;
-    const std::int64_t count = std::max<std::int64_t>(1, static_cast<std::int64_t>(edges.size()));
     for (const std::int64_t here : owned) {
       part_.push_back(static_cast<int>(std::min<std::int64_t>(kMostParts - 1, before * kMostParts / count)));
       before += here;
     }
   }
   int part_of_vertex(int h) const { return part_[static_cast<std::size_t>(number(h))]; }
-  int part_of(const Edge& edge) const { return part_of_vertex(owner(edge)); }
+  int part_of(const Taken::Item& item) const { return part_of_vertex(owner(item)); }
 
  private:
   int number(int h) const { return number_[static_cast<std::size_t>(h)]; }
-  int owner(const Edge& edge) const {
-    int best = -1;
-    bool best_is_marginalized = false;
-    for (const HyperGraph::Vertex* v : edge.vertices()) {
-      const int h = index_of(v);
-      if (h < 0) continue;
-      const bool is_marginalized = static_cast<const OptimizableGraph::Vertex*>(v)->marginalized();
-      const bool is_better =
-          is_marginalized == best_is_marginalized ? best < 0 || number(h) > number(best) : is_marginalized;
-      if (best >= 0 && !is_better) continue;
-      best = h;
-      best_is_marginalized = is_marginalized;
-    }
-    return best;
+  int owner(const Taken::Item& item) const {
+    const auto is_before = [&](int a, int b) {
+      const char marginalized_a = taken_.is_marginalized[static_cast<std::size_t>(a)];
+      const char marginalized_b = taken_.is_marginalized[static_cast<std::size_t>(b)];
+      return marginalized_a != marginalized_b ? marginalized_a < marginalized_b : number(a) < number(b);
+    };
+    return *std::max_element(taken_.begin(item), taken_.end(item), is_before);
   }
 
+  const Taken& taken_;
   std::vector<int> number_;  // of each vertex, by Hessian index
-  int seen_ = 0;
-  std::vector<int> part_;  // of each vertex, by number
+  std::vector<int> part_;    // of each vertex, by number
 };
 
 EdgeBatches::EdgeBatches() = default;
@@ -304,71 +355,51 @@ void EdgeBatches::take(const Edges& edges, int vertices, Edges& others) {
   stamp_ = 0;
   extra_values_ = extra_scalars_ = 0;
   parts_.clear();
-  /// The batches without edges, to which parts copy what they need.
-  std::vector<Batch> made;
-  std::vector<std::pair<Edge*, int>> taken;
-  Edges to_divide;
+  Taken taken;
+  taken.is_marginalized.resize(static_cast<std::size_t>(vertices));
   const std::type_info* type = nullptr;
   const EdgeKind* kind = nullptr;
-  for (Edge* edge : edges) {
-    if (&typeid(*edge) != type) {
-      type = &typeid(*edge);
+  for_each_ahead(edges, [&](Edge& edge) {
+    if (&typeid(edge) != type) {
+      type = &typeid(edge);
       kind = edge_kind(*type);
     }
-    if (kind == nullptr || edge->vertices().size() != kind->dims.size()) {
-      others.push_back(edge);
-      continue;
-    }
-    const std::uint32_t mask = positions_in_hessian(*edge);
-    const bool fits = std::all_of(edge->vertices().begin(), edge->vertices().end(),
-                                  [&](const HyperGraph::Vertex* v) { return index_of(v) < vertices; });
-    auto batch = std::find_if(made.begin(), made.end(),
-                              [&](const Batch& b) { return b.kind == kind && b.mask == mask; });
-    if (batch == made.end()) {
-      Batch empty;
-      empty.kind = kind;
-      empty.mask = mask;
-      if (std::optional<Adder> adder = Adder::find(*kind, mask)) empty.adder = std::move(*adder);
-      for (const int n : empty.adder.positions) empty.columns += kind->dims[static_cast<std::size_t>(n)];
-      batch = made.insert(made.end(), std::move(empty));
-    }
-    if (!fits || !batch->adder.is_usable()) {
-      others.push_back(edge);
-      continue;
-    }
-    taken.emplace_back(edge, static_cast<int>(batch - made.begin()));
-    to_divide.push_back(edge);
-  }
-  if (taken.empty()) return;
+    if (kind == nullptr || !taken.take(edge, *kind)) others.push_back(&edge);
+  });
+  if (taken.items.empty()) return;
   std::optional<Divider> divider;
-  if (taken.size() >= kFewestEdges) divider.emplace(to_divide, vertices);
-  parts_.resize(divider ? kMostParts : 1);
-  for (std::unique_ptr<Part>& part : parts_) {
-    part = std::make_unique<Part>();
-    part->batches = made;
+  if (taken.items.size() >= kFewestEdges) divider.emplace(taken);
+  for (int p = 0; p < (divider ? kMostParts : 1); ++p) {
+    parts_.push_back(std::make_unique<Part>());
+    parts_.back()->batches = taken.batches;
   }
-  for (const auto& [edge, batch] : taken) {
-    Part& part = *parts_[divider ? static_cast<std::size_t>(divider->part_of(*edge)) : 0];
-    part.batches[static_cast<std::size_t>(batch)].edges.push_back(edge);
+  for (const Taken::Item& item : taken.items) {
+    Part& part = *parts_[divider ? static_cast<std::size_t>(divider->part_of(item)) : 0];
+    Batch& batch = part.batches[item.batch];
+    batch.edges.push_back(item.edge);
+    batch.vertices.insert(batch.vertices.end(), taken.begin(item), taken.end(item));
   }
-  std::vector<int> sum_of(static_cast<std::size_t>(vertices));
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    Part& part = *parts_[p];
-    std::fill(sum_of.begin(), sum_of.end(), -1);
+  for (const std::unique_ptr<Part>& part : parts_) {
+    for (const Batch& batch : part->batches) part->make_room(batch);
+  }
+  if (divider) make_sums(*divider, vertices);
+}
+
+/// Gives each part a sum for each vertex of its edges that belongs to another part.
+void EdgeBatches::make_sums(const Divider& divider, int vertices) {
+  std::vector<int> last_part(static_cast<std::size_t>(vertices), -1);
+  for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
+    Part& part = *parts_[static_cast<std::size_t>(p)];
     for (const Batch& batch : part.batches) {
-      part.make_room(batch);
-      if (!divider) continue;
-      for (const Edge* edge : batch.edges) {
-        for (const int n : batch.adder.positions) {
-          const int h = index_of(edge->vertex(static_cast<std::size_t>(n)));
-          int& sum = sum_of[static_cast<std::size_t>(h)];
-          if (sum >= 0 || divider->part_of_vertex(h) == static_cast<int>(p)) continue;
-          const int dim = batch.kind->dims[static_cast<std::size_t>(n)];
-          sum = static_cast<int>(part.sums.size());
-          part.sums.push_back({h, dim, extra_values_, extra_scalars_, 0, 0});
-          extra_values_ += static_cast<std::uint32_t>(dim * dim);
-          extra_scalars_ += static_cast<std::uint32_t>(dim);
-        }
+      const std::size_t arity = batch.adder.positions.size();
+      for (std::size_t k = 0; k < batch.vertices.size(); ++k) {
+        const int h = batch.vertices[k];
+        if (std::exchange(last_part[static_cast<std::size_t>(h)], p) == p || divider.part_of_vertex(h) == p)
+          continue;
+        const int dim = batch.kind->dims[static_cast<std::size_t>(batch.adder.positions[k % arity])];
+        part.sums.push_back({h, dim, extra_values_, extra_scalars_, 0, 0});
+        extra_values_ += static_cast<std::uint32_t>(dim * dim);
+        extra_scalars_ += static_cast<std::uint32_t>(dim);
       }
     }
   }
@@ -400,18 +431,17 @@ bool EdgeBatches::lay_out(const HessianPlaces& places, std::uint64_t stamp) {
       return static_cast<std::size_t>(h) < sum_of.size() ? sum_of[static_cast<std::size_t>(h)] : nullptr;
     };
     for (Batch& batch : part->batches) {
+      if (!batch.is_current()) return false;
       batch.targets.clear();
       batch.targets.reserve(batch.edges.size() * batch.targets_per_edge());
-      const std::vector<int>& positions = batch.adder.positions;
-      for (const Edge* edge : batch.edges) {
-        const auto at = [&](std::size_t i) {
-          return index_of(edge->vertex(static_cast<std::size_t>(positions[i])));
-        };
-        for (std::size_t i = 0; i < positions.size(); ++i) {
+      const std::size_t arity = batch.adder.positions.size();
+      for (std::size_t first = 0; first < batch.vertices.size(); first += arity) {
+        const auto at = [&](std::size_t i) { return batch.vertices[first + i]; };
+        for (std::size_t i = 0; i < arity; ++i) {
           const Part::Sum* sum = find_sum(at(i));
           batch.targets.push_back(sum != nullptr ? scalars_ + sum->from_scalar : places.gradient(at(i)));
         }
-        for (std::size_t i = 0; i < positions.size(); ++i) {
+        for (std::size_t i = 0; i < arity; ++i) {
           for (std::size_t j = 0; j <= i; ++j) {
             const Part::Sum* sum = i == j ? find_sum(at(i)) : nullptr;
             const HessianPlaces::Block block = places.block(at(i), at(j));

@@ -65,7 +65,8 @@ class EdgeBatches {
   };
   Pass compute_errors();
 
-  /// Finds the places of all edges in H. Returns false if H is too large for this.
+  /// Finds the places of all edges in H. Returns false if H is too large for this, or if an edge has got
+  /// another vertex since take().
   bool lay_out(const HessianPlaces& places, std::uint64_t stamp);
   /// The `stamp` of the last lay_out(), or 0 if the edges have changed since then.
   std::uint64_t stamp() const { return stamp_; }
@@ -79,8 +80,10 @@ class EdgeBatches {
  private:
   struct Batch;
   struct Part;
+  struct Taken;
   class Divider;
 
+  void make_sums(const Divider& divider, int vertices);
   Pass for_each_part(boxplus::detail::FunctionRef<void(Part&, Pass&)> task);
   void add_sums(double* values, double* gradient) const;
 

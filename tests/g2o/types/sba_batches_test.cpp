@@ -118,6 +118,13 @@ TEST(SbaBatches, FollowEdgesThatAreRemovedWithoutANewInitialization) {
   EXPECT_NEAR(ours.chi2_after(5), chi2, 1e-9 * chi2);
 }
 
+TEST(SbaBatches, FollowEdgesThatGetAnotherVertexWithoutANewInitialization) {
+  compare(400, [](Scene& scene) {
+    scene.optimizer.computeActiveErrors();
+    for (std::size_t k = 0; k < 50; ++k) scene.edges[k]->setVertex(1, scene.optimizer.vertex(11));
+  });
+}
+
 TEST(SbaBatches, MayBeMixedWithEdgesOfClients) {
   int made = 0;
   const auto mixed = [&]() { return made++ % 3 == 0 ? client_edge() : library_edge(); };
