@@ -20,9 +20,9 @@ void EdgeSE3ProjectXYZ::computeError() {
 void EdgeSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const formulas::Pinhole camera{fx, fy, cx, cy};
-  _jacobianOplusXi.noalias() = formulas::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -formulas::image_by_motion(camera, p);
+  const formulas::Pinhole camera{-fx, -fy, cx, cy};  // the error is z minus the image
+  formulas::image_by_rotated_point(camera, p, T.rotation().toRotationMatrix(), _jacobianOplusXi);
+  formulas::image_by_motion(camera, p, _jacobianOplusXj);
 }
 
 bool EdgeSE3ProjectXYZ::isDepthPositive() {
@@ -54,7 +54,7 @@ void EdgeSE3ProjectXYZOnlyPose::computeError() {
 
 void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
   const Vector3 p = vertexXn<0>()->estimate().map(Xw);
-  _jacobianOplusXi = -formulas::image_by_motion({fx, fy, cx, cy}, p);
+  formulas::image_by_motion({-fx, -fy, cx, cy}, p, _jacobianOplusXi);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
