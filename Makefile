@@ -49,6 +49,7 @@ bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@build/bench/bin/outlier_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/bundle_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
+	@build/bench/bin/g2o_api_bench >> build/bench/RESULTS.md
 	@scripts/page_tools.sh
 	@node bench/viewer/viewer_bench.mjs build/bench/bin/boxplus "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@PYTHONPATH=build/bench/python OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 /usr/bin/python3 bench/python/python_bench.py \

@@ -95,7 +95,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     _delta = _userDeltaInit->value();
     _wasPDInAllIterations = true;
   }
-  const double chi2 = _optimizer->activeRobustChi2();
+  const double chi2 = linearizedChi2();
   if (!reportUnlessFinite(std::isfinite(chi2))) return Fail;
   findSteepestDescent();
   if (!solveGaussNewton()) return Fail;
@@ -108,8 +108,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     internal::PushedEstimates<SparseOptimizer> pushed(*_optimizer);
     double trial = std::numeric_limits<double>::infinity();
     if (internal::update(*_optimizer, _hdl.data())) {
-      _optimizer->computeActiveErrors();
-      trial = _optimizer->activeRobustChi2();
+      trial = computeRobustChi2();
     }
     const double gain = (chi2 - trial) / predicted;
     const bool good = gain > 0 && std::isfinite(trial);

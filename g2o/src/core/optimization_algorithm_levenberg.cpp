@@ -51,7 +51,7 @@ OptimizationAlgorithmLevenberg::~OptimizationAlgorithmLevenberg() = default;
 /// fails, λ is multiplied by ν, and ν doubles.
 OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int iteration, bool online) {
   if (!linearize(iteration, online)) return Fail;
-  const double chi2 = _optimizer->activeRobustChi2();
+  const double chi2 = linearizedChi2();
   if (!reportUnlessFinite(std::isfinite(chi2))) return Fail;
   if (iteration == 0) {
     _currentLambda = computeLambdaInit();
@@ -65,8 +65,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int it
     const bool solved = solveDamped(_currentLambda);
     double trial = std::numeric_limits<double>::max();
     if (solved && internal::update(*_optimizer, _solver.x())) {
-      _optimizer->computeActiveErrors();
-      trial = _optimizer->activeRobustChi2();
+      trial = computeRobustChi2();
     }
     const double predicted = solved ? computeScale() : 0;
     gain = solved ? (chi2 - trial) / predicted : -1;

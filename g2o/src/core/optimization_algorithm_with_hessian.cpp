@@ -75,13 +75,30 @@ bool OptimizationAlgorithmWithHessian::linearize(int iteration, bool online) {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   {
     const internal::AddedTime time(statistics ? &statistics->timeResiduals : nullptr);
-    _optimizer->computeActiveErrors();
+    if (_solver.computesErrors()) {
+      _optimizer->postponeActiveErrors();
+    } else {
+      _optimizer->computeActiveErrors();
+    }
   }
   const internal::AddedTime time(statistics ? &statistics->timeQuadraticForm : nullptr);
   _solver.buildSystem();
+  if (_optimizer->errors_postponed_ || _optimizer->lost_vertices_) {  // buildSystem() found a lost vertex
+    _optimizer->computeActiveErrors();
+    _solver.buildSystem();
+  }
   if (_solver.b() == nullptr) return true;
   const Eigen::Map<const VectorX> b(_solver.b(), static_cast<Eigen::Index>(_solver.vectorSize()));
   return reportUnlessFinite(b.allFinite());
+}
+
+double OptimizationAlgorithmWithHessian::linearizedChi2() const {
+  return _solver.computesErrors() ? _optimizer->robustChi2OfPass() : _optimizer->activeRobustChi2();
+}
+
+double OptimizationAlgorithmWithHessian::computeRobustChi2() {
+  _optimizer->computeActiveErrors();
+  return _optimizer->robustChi2OfPass();
 }
 
 bool OptimizationAlgorithmWithHessian::reportUnlessFinite(bool finite) const {

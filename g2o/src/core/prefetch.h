@@ -37,5 +37,15 @@ void for_each_ahead(const OptimizableGraph::EdgeContainer& edges, F&& f) {
   }
 }
 
+/// Calls f for each vertex, and prefetches the next vertices.
+template <class F>
+void for_each_ahead(const OptimizableGraph::VertexContainer& vertices, F&& f) {
+  constexpr std::size_t kAhead = 8, kVertexBytes = 256;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (k + kAhead < vertices.size()) prefetch(vertices[k + kAhead], kVertexBytes);
+    f(*vertices[k]);
+  }
+}
+
 }  // namespace internal
 }  // namespace g2o

@@ -2,13 +2,13 @@
 #include "g2o/core/sparse_optimizer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <set>
 
 #include "core/findings.h"
+#include "core/prefetch.h"
 #include "engine/edge_parts.h"
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/optimization_algorithm.h"
@@ -304,7 +304,10 @@ void SparseOptimizer::setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algori
 void SparseOptimizer::push(VertexContainer& vlist) {
   size_t pushed = 0;
   try {
-    for (; pushed < vlist.size(); ++pushed) vlist[pushed]->push();
+    internal::for_each_ahead(vlist, [&](Vertex& v) {
+      v.push();
+      ++pushed;
+    });
   } catch (...) {
     while (pushed > 0) vlist[--pushed]->discardTop();
     throw;
@@ -312,11 +315,11 @@ void SparseOptimizer::push(VertexContainer& vlist) {
 }
 
 void SparseOptimizer::pop(VertexContainer& vlist) {
-  for (Vertex* v : vlist) v->pop();
+  internal::for_each_ahead(vlist, [](Vertex& v) { v.pop(); });
 }
 
 void SparseOptimizer::discardTop(VertexContainer& vlist) {
-  for (Vertex* v : vlist) v->discardTop();
+  internal::for_each_ahead(vlist, [](Vertex& v) { v.discardTop(); });
 }
 
 void SparseOptimizer::push(HyperGraph::VertexSet& vlist) {
@@ -358,15 +361,20 @@ internal::EdgeParts& SparseOptimizer::edgeParts() {
 
 void SparseOptimizer::computeActiveErrors() {
   callActions(AT_COMPUTEACTIVERROR);
-  std::atomic<bool> is_any_incomplete = false;
-  edgeParts().for_each([&](OptimizableGraph::Edge& e) {
-    if (internal::is_complete(e)) {
-      e.computeError();
-    } else {
-      is_any_incomplete = true;
-    }
-  });
-  if (is_any_incomplete) dropIncompleteEdges();
+  errors_postponed_ = false;
+  lost_vertices_ = edgeParts().compute_errors(true);
+  if (lost_vertices_) dropIncompleteEdges();
+}
+
+void SparseOptimizer::postponeActiveErrors() {
+  callActions(AT_COMPUTEACTIVERROR);
+  lost_vertices_ = false;
+  if (edgeParts().compute_errors(false)) dropIncompleteEdges();
+  errors_postponed_ = true;
+}
+
+double SparseOptimizer::robustChi2OfPass() const {
+  return lost_vertices_ || edge_parts_ == nullptr ? activeRobustChi2() : edge_parts_->robust_chi2_of_pass();
 }
 
 void SparseOptimizer::update(const double* update) {
@@ -376,10 +384,10 @@ void SparseOptimizer::update(const double* update) {
   }
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   const internal::AddedTime time(statistics ? &statistics->timeUpdate : nullptr);
-  for (OptimizableGraph::Vertex* v : _ivMap) {
-    v->oplus(update);
-    update += v->dimension();
-  }
+  internal::for_each_ahead(_ivMap, [&](OptimizableGraph::Vertex& v) {
+    v.oplus(update);
+    update += v.dimension();
+  });
 }
 
 void SparseOptimizer::setComputeBatchStatistics(bool computeBatchStatistics) {

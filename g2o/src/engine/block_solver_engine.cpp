@@ -2,13 +2,16 @@
 #include "g2o/core/block_solver_engine.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "boxplus/base/parallel.h"
+#include "core/prefetch.h"
 #include "engine/client_solver.h"
 #include "engine/edge_parts.h"
 #include "engine/engine_solver.h"
@@ -38,9 +41,11 @@ struct BlockSolverEngine::State {
   ClientSolver* client = nullptr;                 // the client's solver inside `measured`, or nullptr
   EngineSettings settings;
   std::vector<double> engine_b, engine_x;
-  bool ready = false;       // true if the solvers are analyzed for the structure
-  bool filled = false;      // true if H contains a linearization
-  bool complained = false;  // true if complain() has reported an error since buildStructure()
+  std::vector<double> gradient;  // JᵀΩe of the edges in batches, by Hessian index, and the sums of parts
+  std::uint64_t stamp = 0;       // of this layout of H, for EdgeBatches
+  bool ready = false;            // true if the solvers are analyzed for the structure
+  bool filled = false;           // true if H contains a linearization
+  bool complained = false;       // true if complain() has reported an error since buildStructure()
 
   std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
@@ -70,12 +75,16 @@ struct BlockSolverEngine::State {
     std::copy_n(in, eliminated_scalars(), out + first);
   }
 
-  bool lay_out(const SparseOptimizer& optimizer, bool use_schur);
+  bool lay_out(SparseOptimizer& optimizer, bool use_schur);
+  void allocate(std::size_t extra_values);
+  bool can_linearize(EdgeBatches& batches);
+  void linearize(SparseOptimizer& optimizer);
   void map_vertices(const SparseOptimizer& optimizer);
   void map_edges(const SparseOptimizer& optimizer);
   void map_pair(OptimizableGraph::Edge& edge, int i, int j);
   void make_solver(const EngineSettings& new_settings);
   bool factorize(double lambda);
+  class Places;
   double largest_diagonal() const;
   bool complain(LinearStatus status, std::uint32_t failed_block, double lambda);
   std::string reason(LinearStatus status, std::uint32_t failed_block) const;
@@ -93,7 +102,7 @@ const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, si
 }  // namespace
 
 /// Numbers the blocks and finds the pattern of H. Returns false if an edge connects two eliminated vertices.
-bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool use_schur) {
+bool BlockSolverEngine::State::lay_out(SparseOptimizer& optimizer, bool use_schur) {
   vertices = optimizer.indexMapping();
   ids.clear();
   for (const OptimizableGraph::Vertex* v : vertices) ids.push_back(v->id());
@@ -124,14 +133,26 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
     }
   }
   BlockStructure made = boxplus::make_block_structure(dims, pairs);
-  if (full && made == structure && eliminated == eliminated_before) return true;
+  static std::atomic<std::uint64_t> last_stamp = 0;
+  stamp = ++last_stamp;
+  const std::size_t extra_values = optimizer.edgeParts().batches().extra_values();
+  if (full && made == structure && eliminated == eliminated_before) {
+    if (values().size() != structure.nonzero_values() + extra_values) allocate(extra_values);
+    return true;
+  }
   structure = std::move(made);
-  memory = std::make_shared<std::vector<double>>(structure.nonzero_values(), 0.0);
-  full = std::make_unique<boxplus::AssembledSystem>(structure, values());
+  allocate(extra_values);
   ready = false;
   engine_b.resize(structure.scalars());
   engine_x.resize(structure.scalars());
   return true;
+}
+
+/// Allocates H, and behind it, memory for `extra_values` values.
+void BlockSolverEngine::State::allocate(std::size_t extra_values) {
+  memory = std::make_shared<std::vector<double>>(structure.nonzero_values() + extra_values, 0.0);
+  full = std::make_unique<boxplus::AssembledSystem>(
+      structure, std::span<const double>(values().data(), structure.nonzero_values()));
 }
 
 /// Maps the vertices to the diagonal blocks of H. Vertices without a Hessian index get no memory.
@@ -223,17 +244,68 @@ size_t BlockSolverEngine::scalars() const {
   return state_ ? state_->structure.scalars() : 0;
 }
 
+/// The places of blocks in the memory of H, and of vertices in a vector in the order of Hessian indices.
+class BlockSolverEngine::State::Places final : public HessianPlaces {
+ public:
+  explicit Places(const State& state) : state_(state), ends_(state.block_ends()) {}
+  Block block(int i, int j) const override {
+    const std::uint32_t a = state_.block_of(i), b = state_.block_of(j);
+    const std::uint32_t k = state_.structure.find(std::max(a, b), std::min(a, b));
+    return {state_.structure.value_start[k], a < b};
+  }
+  std::uint32_t gradient(int i) const override {
+    return i == 0 ? 0 : static_cast<std::uint32_t>(ends_[static_cast<size_t>(i - 1)]);
+  }
+  std::uint32_t values() const override { return state_.structure.nonzero_values(); }
+  std::uint32_t scalars() const override { return state_.structure.scalars(); }
+
+ private:
+  const State& state_;
+  std::vector<int> ends_;
+};
+
+/// Whether the edges in batches can be added to H. A client may have fixed a vertex, or removed an edge,
+/// since H was laid out.
+bool BlockSolverEngine::State::can_linearize(EdgeBatches& batches) {
+  if (batches.empty()) return false;
+  const auto is_fixed = [](const OptimizableGraph::Vertex* v) { return v->fixed(); };
+  if (std::any_of(vertices.begin(), vertices.end(), is_fixed)) return false;
+  if (values().size() < structure.nonzero_values() + batches.extra_values()) return false;
+  gradient.resize(structure.scalars() + batches.extra_scalars());
+  return batches.stamp() == stamp || batches.lay_out(Places(*this), stamp);
+}
+
+/// Fills H, and b of each vertex.
+void BlockSolverEngine::State::linearize(SparseOptimizer& optimizer) {
+  EdgeParts& parts = optimizer.edgeParts();
+  const bool with_errors = std::exchange(optimizer.errors_postponed_, false);
+  for_each_ahead(vertices, [](OptimizableGraph::Vertex& v) { v.clearQuadraticForm(); });
+  const bool in_batches = can_linearize(parts.batches());
+  if (in_batches) {
+    if (parts.linearize_batches(values().data(), gradient.data(), with_errors))
+      optimizer.lost_vertices_ = true;
+    const double* from = gradient.data();
+    for_each_ahead(vertices, [&](OptimizableGraph::Vertex& v) {
+      double* to = v.bData();
+      for (const double* end = from + v.dimension(); from != end; ++from, ++to) *to -= *from;
+    });
+  } else {
+    std::fill(values().begin(), values().end(), 0.0);
+    if (with_errors && parts.compute_errors_of_batches()) optimizer.lost_vertices_ = true;
+  }
+  const auto add = [](OptimizableGraph::Edge& edge, JacobianWorkspace& workspace) {
+    if (!internal::is_complete(edge)) return;
+    edge.linearizeOplus(workspace);
+    edge.constructQuadraticForm();
+  };
+  parts.for_each_by_parts(optimizer.jacobianWorkspace(), add);
+  parts.for_each_of_batches(optimizer.jacobianWorkspace(), add, in_batches);
+}
+
 void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   State& s = *state_;
-  std::fill(s.values().begin(), s.values().end(), 0.0);
-  for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
-  optimizer.edgeParts().for_each_by_parts(optimizer.jacobianWorkspace(),
-                                          [](OptimizableGraph::Edge& edge, JacobianWorkspace& workspace) {
-                                            if (!internal::is_complete(edge)) return;
-                                            edge.linearizeOplus(workspace);
-                                            edge.constructQuadraticForm();
-                                          });
-  for (const OptimizableGraph::Vertex* v : s.vertices) b += v->copyB(b);
+  s.linearize(optimizer);
+  for_each_ahead(s.vertices, [&](const OptimizableGraph::Vertex& v) { b += v.copyB(b); });
   s.filled = true;
 }
 

@@ -2,12 +2,14 @@
 #include "engine/edge_parts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <typeinfo>
 
 #include "boxplus/base/parallel.h"
 #include "core/prefetch.h"
 #include "core/thread_safe_types.h"
+#include "engine/last_type.h"
 #include "g2o/core/robust_kernel.h"
 
 namespace g2o {
@@ -17,21 +19,12 @@ namespace {
 /// The smallest number of edges for which threads save more time than they cost.
 constexpr size_t kFewestEdges = 1000;
 
-/// Remembers is_thread_safe() of the last type, because most edges have the same type.
-class LastType {
- public:
-  bool allowed(const std::type_info& type) {
-    if (last_ != &type) {
-      allowed_ = is_thread_safe(type);
-      last_ = &type;
-    }
-    return allowed_;
-  }
-
- private:
-  const std::type_info* last_ = nullptr;
-  bool allowed_ = false;
-};
+double robust_chi2(const OptimizableGraph::Edge& edge) {
+  if (edge.robustKernel() == nullptr) return edge.chi2();
+  Vector3 rho;
+  edge.robustKernel()->robustify(edge.chi2(), rho);
+  return rho[0];
+}
 
 /// Assigns vertices to parts. Vertices are numbered in the order in which edges first use them, and each part
 /// gets a range of numbers. Vertices with similar numbers are mostly neighbors, so most edges have all of
@@ -93,28 +86,68 @@ void EdgeParts::part(const Edges& edges, int vertices) {
   edges_ = edges;
   known_types_ = thread_safe_types_revision();
   left_.clear();
+  others_.clear();
+  batches_.take(edges, vertices, others_);
+  pass_ = {};
   for (Edges& part : parts_) part.clear();
-  if (edges.size() < kFewestEdges) {
-    left_ = edges;
+  if (others_.size() < kFewestEdges) {
+    left_ = others_;
     return;
   }
-  const VertexParts vertex_parts(edges, vertices);
+  const VertexParts vertex_parts(others_, vertices);
   LastType type;
-  for (Edge* edge : edges) {
+  for (Edge* edge : others_) {
     const int part = type.allowed(typeid(*edge)) ? vertex_parts.of(*edge, kParts) : -1;
     (part < 0 ? left_ : parts_[static_cast<size_t>(part)]).push_back(edge);
   }
 }
 
-void EdgeParts::for_each(boxplus::detail::FunctionRef<void(Edge&)> f) const {
-  if (left_.size() < edges_.size())
-    for_each_part(kParts, [&](int part) { for_each_ahead(parts_[static_cast<size_t>(part)], f); });
-  for_each_ahead(left_, f);
+bool EdgeParts::compute_errors(bool with_batches) {
+  std::atomic<bool> is_any_incomplete = false;
+  const auto compute = [&](Edge& edge) {
+    if (is_complete(edge)) {
+      edge.computeError();
+    } else {
+      is_any_incomplete = true;
+    }
+  };
+  if (left_.size() < others_.size())
+    for_each_part(kParts, [&](int part) { for_each_ahead(parts_[static_cast<size_t>(part)], compute); });
+  for_each_ahead(left_, compute);
+  return (with_batches && compute_errors_of_batches()) || is_any_incomplete;
+}
+
+bool EdgeParts::compute_errors_of_batches() {
+  if (batches_.empty()) return false;
+  pass_ = batches_.compute_errors();
+  return pass_.any_incomplete;
+}
+
+double EdgeParts::robust_chi2_of_pass() const {
+  double sum = pass_.chi2;
+  for (const Edge* edge : pass_.with_unknown_kernels) sum += robust_chi2(*edge);
+  for_each_ahead(others_, [&](const Edge& edge) { sum += robust_chi2(edge); });
+  return sum;
+}
+
+bool EdgeParts::linearize_batches(double* values, double* gradient, bool with_errors) {
+  pass_ = batches_.linearize(values, gradient, with_errors);
+  return pass_.any_incomplete;
+}
+
+void EdgeParts::for_each_of_batches(JacobianWorkspace& workspace,
+                                    boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f,
+                                    bool were_linearized) const {
+  if (were_linearized) {
+    for (Edge* edge : pass_.not_added) f(*edge, workspace);
+  } else {
+    batches_.for_each([&](Edge& edge) { f(edge, workspace); });
+  }
 }
 
 void EdgeParts::for_each_by_parts(JacobianWorkspace& workspace,
                                   boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f) {
-  if (left_.size() < edges_.size()) {
+  if (left_.size() < others_.size()) {
     for_each_part(kParts, [&](int number) {
       const auto part = static_cast<size_t>(number);
       workspaces_[part] = workspace;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxplus/base/function_ref.h"
+#include "engine/edge_batches.h"
 #include "g2o/core/jacobian_workspace.h"
 #include "g2o/core/optimizable_graph.h"
 
@@ -36,17 +37,34 @@ class EdgeParts {
   /// Whether part() was called for these edges, and the set of thread-safe types has not changed since.
   bool is_of(const Edges& edges) const;
 
-  /// Calls f(edge) once for each edge, in any order.
-  void for_each(boxplus::detail::FunctionRef<void(Edge&)> f) const;
+  EdgeBatches& batches() { return batches_; }
+
+  /// Calls computeError() of each edge that has all its vertices, in any order. If `with_batches` is false,
+  /// leaves out the edges in batches(). Returns whether an edge lacks a vertex.
+  bool compute_errors(bool with_batches);
+  /// Does the same only for the edges in batches().
+  bool compute_errors_of_batches();
+  /// Calls EdgeBatches::linearize(). Returns whether an edge lacks a vertex.
+  bool linearize_batches(double* values, double* gradient, bool with_errors);
+  /// The sum of ρ(eᵀΩe) over all edges, after compute_errors(true) or linearize_batches().
+  double robust_chi2_of_pass() const;
+  /// Calls f(edge, workspace) for the edges that linearize_batches() did not add to H, or for all edges in
+  /// batches() if it was not called.
+  void for_each_of_batches(JacobianWorkspace& workspace,
+                           boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f,
+                           bool were_linearized) const;
   /// Calls f(edge, workspace) for the edges of each part in order, and for the remaining edges after all
-  /// parts. Edges with a robust kernel that is not known to be thread-safe also come after all parts.
+  /// parts. Edges with a robust kernel that is not known to be thread-safe also come after all parts. Leaves
+  /// out the edges in batches().
   void for_each_by_parts(JacobianWorkspace& workspace,
                          boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f);
 
  private:
   static constexpr int kParts = 8;
 
-  Edges edges_, left_;
+  Edges edges_, others_, left_;  // all edges; those outside of batches; those of `others_` in no part
+  EdgeBatches batches_;
+  EdgeBatches::Pass pass_;  // the last pass over the batches
   std::uint64_t known_types_ = 0;
   std::array<Edges, kParts> parts_, with_unknown_kernels_;
   std::array<JacobianWorkspace, kParts> workspaces_;

@@ -78,13 +78,39 @@ inline Matrix3 stereo_image_jacobian(const Pinhole& camera, double bf, const Vec
 
 /// The derivatives of the image of exp(δ) p with respect to δ = (ω, υ) at δ = 0: D [−[p]×, I], with D from
 /// image_jacobian().
-inline Eigen::Matrix<double, 2, 6> image_by_motion(const Pinhole& camera, const Vector3& p) {
+/// The overload with three arguments stores them without a temporary matrix: a processor waits if it loads
+/// several values at once that were just stored one by one.
+template <class Jacobian>
+void image_by_motion(const Pinhole& camera, const Vector3& p, Jacobian& J) {
   const double inverse = 1 / p[2], x = p[0] * inverse, y = p[1] * inverse;
   const double a = camera.fx * inverse, b = camera.fy * inverse;
+  J(0, 0) = -camera.fx * x * y;
+  J(1, 0) = -camera.fy * (1 + y * y);
+  J(0, 1) = camera.fx * (1 + x * x);
+  J(1, 1) = camera.fy * x * y;
+  J(0, 2) = -camera.fx * y;
+  J(1, 2) = camera.fy * x;
+  J(0, 3) = a;
+  J(1, 3) = 0;
+  J(0, 4) = 0;
+  J(1, 4) = b;
+  J(0, 5) = -a * x;
+  J(1, 5) = -b * y;
+}
+inline Eigen::Matrix<double, 2, 6> image_by_motion(const Pinhole& camera, const Vector3& p) {
   Eigen::Matrix<double, 2, 6> J;
-  J << -camera.fx * x * y, camera.fx * (1 + x * x), -camera.fx * y, a, 0, -a * x, -camera.fy * (1 + y * y),
-      camera.fy * x * y, camera.fy * x, 0, b, -b * y;
+  image_by_motion(camera, p, J);
   return J;
+}
+/// The derivatives of the image of R x + t with respect to x, for p = R x + t.
+template <class Jacobian>
+void image_by_rotated_point(const Pinhole& camera, const Vector3& p, const Matrix3& R, Jacobian& J) {
+  const double inverse = 1 / p[2], a = camera.fx * inverse, b = camera.fy * inverse;
+  const double x = p[0] * inverse, y = p[1] * inverse;
+  for (int j = 0; j < 3; ++j) {
+    J(0, j) = a * (R(0, j) - x * R(2, j));
+    J(1, j) = b * (R(1, j) - y * R(2, j));
+  }
 }
 inline Eigen::Matrix<double, 3, 6> stereo_image_by_motion(const Pinhole& camera, double bf,
                                                           const Vector3& p) {

@@ -97,6 +97,8 @@ class BlockSolver : public BlockSolverBase {
     if (isDerived()) copyHessian();
     return true;
   }
+  /// A derived class may need the errors before it calls this class's buildSystem().
+  bool computesErrors() const override { return !isDerived(); }
   bool solve() override;
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                         const std::vector<std::pair<int, int>>& blockIndices) override;

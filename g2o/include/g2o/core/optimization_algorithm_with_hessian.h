@@ -39,6 +39,10 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
   /// Computes errors and Jacobians, and builds the linear system. In the first iteration, also builds the
   /// structure of the linear system.
   bool linearize(int iteration, bool online);
+  /// Returns the sum of ρ(eᵀΩe) over the active edges, after linearize().
+  double linearizedChi2() const;
+  /// Computes the errors and returns the sum of ρ(eᵀΩe) over the active edges.
+  double computeRobustChi2();
   /// Returns `finite`. If `finite` is false, logs an error. The message names an edge with a non-finite error
   /// if there is such an edge.
   bool reportUnlessFinite(bool finite) const;

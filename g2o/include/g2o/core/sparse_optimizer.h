@@ -150,6 +150,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
  private:
   friend class SparseOptimizerTerminateAction;
+  friend class OptimizationAlgorithmWithHessian;
   friend class internal::BlockSolverEngine;
   /// The stop flag that actions set if the client has not set a flag. The optimizer owns this flag, because
   /// an action may be destroyed before the optimizer.
@@ -170,7 +171,18 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   std::vector<std::unique_ptr<OptimizationAlgorithm>> replaced_algorithms_;
   class OptimizeScope;
 
+  /// If true, buildSystem() computes the errors of the edges that the library evaluates in batches.
+  bool errors_postponed_ = false;
+  /// Whether the last pass over the edges found an edge that has lost a vertex.
+  bool lost_vertices_ = false;
+
   internal::EdgeParts& edgeParts();
+  /// Does the same as computeActiveErrors(), but leaves the errors of edges that the library evaluates in
+  /// batches to the next Solver::buildSystem().
+  void postponeActiveErrors();
+  /// Returns the same as activeRobustChi2() directly after computeActiveErrors() or buildSystem(), which have
+  /// already added up chi2 of most edges.
+  double robustChi2OfPass() const;
   void dropIncompleteEdges();
   bool startOptimization();
   void sizeWorkspace();

@@ -2,6 +2,7 @@
 // Edges for the image of a point in a stereo camera. The point is either a vertex or known.
 #include "g2o/types/sba/edge_project_stereo_xyz.h"
 
+#include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"
 #include "types/images.h"
 #include "types/sba/adapters_sba.h"
@@ -75,5 +76,12 @@ bool EdgeStereoSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
   return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
          adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy, bf});
 }
+
+namespace {
+
+const internal::EvaluatedInRuns<EdgeStereoSE3ProjectXYZ> kRunsOfStereoSE3ProjectXYZ;
+const internal::EvaluatedInRuns<EdgeStereoSE3ProjectXYZOnlyPose> kRunsOfStereoSE3ProjectXYZOnlyPose;
+
+}  // namespace
 
 }  // namespace g2o

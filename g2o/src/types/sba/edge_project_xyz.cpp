@@ -2,6 +2,7 @@
 // Edges for the image of a point in a single camera. The point is either a vertex or known.
 #include "g2o/types/sba/edge_project_xyz.h"
 
+#include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_xyz_onlypose.h"
 #include "types/images.h"
 #include "types/sba/adapters_sba.h"
@@ -19,9 +20,9 @@ void EdgeSE3ProjectXYZ::computeError() {
 void EdgeSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const formulas::Pinhole camera{fx, fy, cx, cy};
-  _jacobianOplusXi.noalias() = formulas::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -formulas::image_by_motion(camera, p);
+  const formulas::Pinhole camera{-fx, -fy, cx, cy};  // the error is z minus the image
+  formulas::image_by_rotated_point(camera, p, T.rotation().toRotationMatrix(), _jacobianOplusXi);
+  formulas::image_by_motion(camera, p, _jacobianOplusXj);
 }
 
 bool EdgeSE3ProjectXYZ::isDepthPositive() {
@@ -53,7 +54,7 @@ void EdgeSE3ProjectXYZOnlyPose::computeError() {
 
 void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
   const Vector3 p = vertexXn<0>()->estimate().map(Xw);
-  _jacobianOplusXi = -formulas::image_by_motion({fx, fy, cx, cy}, p);
+  formulas::image_by_motion({-fx, -fy, cx, cy}, p, _jacobianOplusXi);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -74,5 +75,12 @@ bool EdgeSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
   return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
          adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy});
 }
+
+namespace {
+
+const internal::EvaluatedInRuns<EdgeSE3ProjectXYZ> kRunsOfSE3ProjectXYZ;
+const internal::EvaluatedInRuns<EdgeSE3ProjectXYZOnlyPose> kRunsOfSE3ProjectXYZOnlyPose;
+
+}  // namespace
 
 }  // namespace g2o

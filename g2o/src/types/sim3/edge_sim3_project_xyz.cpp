@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/types/sim3/edge_sim3_project_xyz.h"
 
+#include "core/edge_kind.h"
 #include "g2o/core/factory.h"
 #include "types/adapters.h"
 #include "types/exponential.h"
@@ -85,5 +86,12 @@ bool EdgeInverseSim3ProjectXYZ::read(std::istream& is) {
 bool EdgeInverseSim3ProjectXYZ::write(std::ostream& os) const {
   return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
 }
+
+namespace {
+
+const internal::EvaluatedInRuns<EdgeSim3ProjectXYZ> kRunsOfSim3ProjectXYZ;
+const internal::EvaluatedInRuns<EdgeInverseSim3ProjectXYZ> kRunsOfInverseSim3ProjectXYZ;
+
+}  // namespace
 
 }  // namespace g2o
