@@ -153,7 +153,8 @@ void require_writable(const std::string& path, const GraphFile& file, const Writ
     if (format.folder.check) with_path(path, [&] { format.folder.check(view_of(file), path); });
     return;
   }
-  if (format.name != file.format) format.write(view_of(file), options, [](std::string_view) {});
+  if (format.name != file.format || format.written_on_request)
+    format.write(view_of(file), options, [](std::string_view) {});
   require_writable(path);
 }
 

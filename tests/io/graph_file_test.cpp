@@ -57,6 +57,12 @@ TEST(GraphFile, CannotBeWrittenInAnUnknownOrReadOnlyFormat) {
   EXPECT_EQ(complaint("iSAM"), "cannot write iSAM's .isam: the format is read-only");
 }
 
+TEST(GraphFile, IsCheckedBeforeItIsWrittenInTheFormatInWhichItWasRead) {
+  const GraphFile file = parse_graph("VERTEX2 0 0 0 0\nVERTEX_XY 1 2 3\n", "g");
+  EXPECT_EQ(file.format, "TORO");
+  EXPECT_THROW(require_writable("out.graph", file), InvalidArgument) << "TORO has no points";
+}
+
 TEST(GraphFile, IsRefusedIfNoFormatRecognizesItsText) {
   FileFormats formats;
   FileFormat format = *default_formats().find("iSAM");

@@ -105,6 +105,39 @@ TEST(Lift, OfPosesAndVectorsNeedsNoOplus) {
   static_assert(kLiftsItself<SE3> && kLiftsItself<SE3RotationVector> && kLiftsItself<Pair>);
 }
 
+/// A pose whose steps are added in the frame of the world.
+template <class S>
+struct WorldStepPose : BasicSE3<S> {
+  using BasicSE3<S>::BasicSE3;
+  WorldStepPose(const BasicSE3<S>& pose) : BasicSE3<S>(pose) {}
+};
+
+}  // namespace
+
+template <class S>
+struct Manifold<WorldStepPose<S>> : Manifold<BasicSE3<S>> {
+  template <class T>
+  using Rebind = WorldStepPose<T>;
+  template <class T>
+  static WorldStepPose<T> cast(const WorldStepPose<S>& x) {
+    return x.template cast<T>();
+  }
+  static WorldStepPose<S> oplus(const WorldStepPose<S>& x, const S* delta) {
+    return Manifold<BasicSE3<S>>::oplus(BasicSE3<S>(), delta) * x;
+  }
+};
+
+namespace {
+
+TEST(Lift, IsNotInheritedByAManifoldWithAnotherStep) {
+  using X = WorldStepPose<double>;
+  static_assert(!kLiftsItself<X>);
+  const X x = SE3(Vector3(1, 2, 3), SO3::from_rotation_vector(Vector3(0.1, 0.2, 0.3)));
+  const auto y = detail::lift(x, detail::Seed<D>{});
+  EXPECT_EQ(y.translation()[0].derivative[0], 1) << "along the x axis of the world";
+  EXPECT_EQ(y.translation()[0].derivative[1], 0);
+}
+
 TEST(Lift, OfAnEstimateOfRunTimeSizeFollowsEachSize) {
   using X = Vector<double, kDynamic>;
   static_assert(!kLiftsItself<X> && !kLiftsItself<Product<SE3, X>>);

@@ -111,6 +111,9 @@ struct EdgeKindOf<E, std::index_sequence<N...>> {
 /// While an object of this class exists, edges of exactly the type E are thread-safe and evaluated in runs.
 template <class E>
 class EvaluatedInRuns {
+  // Edges of different parts must not have two vertices in common (EdgeBatches).
+  static_assert(E::_nr_of_vertices <= 2);
+
  public:
   EvaluatedInRuns() { declare_edge_kind(typeid(E), kind_, true); }
   ~EvaluatedInRuns() { declare_edge_kind(typeid(E), kind_, false); }

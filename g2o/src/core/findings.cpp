@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <set>
 #include <typeindex>
 #include <typeinfo>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "engine/edge_parts.h"
 #include "g2o/core/base_edge.h"
 #include "g2o/core/factory.h"
 #include "g2o/stuff/logger.h"
@@ -72,8 +74,8 @@ class Search {
 
  private:
   void visit(Edge& edge) {
+    if (!is_complete(edge) || edge.dimension() <= 0) return;
     join(edge);
-    if (edge.dimension() <= 0) return;
     if (const std::string fault = fault_of_information(edge); !fault.empty())
       information_.add(nameOf(edge) + " (" + fault + ")");
     edge.computeError();
@@ -83,7 +85,7 @@ class Search {
     const bool is_first = types_.insert(std::type_index(typeid(edge))).second;
     for (size_t i = 0; i < edge.vertices().size(); ++i) {
       auto* v = static_cast<Vertex*>(edge.vertex(i));
-      if (v == nullptr || v->hessianIndex() < 0 || v->dimension() <= 0) continue;
+      if (!is_active(*v) || v->dimension() <= 0) continue;
       const MatrixX J =
           Eigen::Map<const MatrixX>(optimizer_.jacobianWorkspace().workspaceForVertex(static_cast<int>(i)),
                                     edge.dimension(), v->dimension());
@@ -97,6 +99,11 @@ class Search {
   }
 
   static size_t index(const Vertex& v) { return static_cast<size_t>(v.hessianIndex()); }
+  /// Clients can change Hessian indices.
+  bool is_active(const Vertex& v) const {
+    return v.hessianIndex() >= 0 && index(v) < derivatives_.size() &&
+           derivatives_[index(v)].size() == v.dimension();
+  }
 
   /// Puts the vertices of the edge into one part of the graph.
   void join(const Edge& edge) {
@@ -104,8 +111,7 @@ class Search {
     bool holds = edge.vertices().size() == 1;
     for (const HyperGraph::Vertex* u : edge.vertices()) {
       const auto* v = static_cast<const Vertex*>(u);
-      if (v == nullptr) continue;
-      if (v->hessianIndex() < 0) {
+      if (!is_active(*v)) {
         holds = holds || v->fixed();
         continue;
       }
@@ -133,6 +139,7 @@ class Search {
     std::unordered_map<std::uint32_t, std::vector<int>> parts;
     std::set<std::uint32_t> held;
     for (const Vertex* v : optimizer_.indexMapping()) {
+      if (!is_active(*v)) continue;
       const VectorX& d = derivatives_[index(*v)];
       std::string directions;
       for (int k = 0; k < d.size(); ++k) {
@@ -146,6 +153,7 @@ class Search {
       if (is_held_[index(*v)]) held.insert(root);
     }
     for (const Vertex* v : optimizer_.indexMapping()) {  // in a fixed order
+      if (!is_active(*v)) continue;
       const auto part = parts.find(static_cast<std::uint32_t>(index(*v)));
       if (part == parts.end() || held.count(part->first) > 0) continue;
       const auto [least, most] = std::minmax_element(part->second.begin(), part->second.end());
@@ -176,7 +184,11 @@ std::string nameOf(const Edge& edge) {
 }
 
 void reportFindings(SparseOptimizer& optimizer) {
-  Search(optimizer).run();
+  try {
+    Search(optimizer).run();
+  } catch (const std::exception& error) {
+    G2O_ERROR("finding: an error function or a vertex throws: {}", error.what());
+  }
 }
 
 }  // namespace internal

@@ -279,8 +279,13 @@ bool BlockSolverEngine::State::can_linearize(EdgeBatches& batches) {
 void BlockSolverEngine::State::linearize(SparseOptimizer& optimizer) {
   EdgeParts& parts = optimizer.edgeParts();
   const bool with_errors = std::exchange(optimizer.errors_postponed_, false);
-  for_each_ahead(vertices, [](OptimizableGraph::Vertex& v) { v.clearQuadraticForm(); });
   const bool in_batches = can_linearize(parts.batches());
+  if (in_batches) {
+    parts.batches().clear(values().data(), gradient.data());
+  } else {
+    std::fill(values().begin(), values().end(), 0.0);
+  }
+  for_each_ahead(vertices, [](OptimizableGraph::Vertex& v) { v.clearQuadraticForm(); });
   if (in_batches) {
     if (parts.linearize_batches(values().data(), gradient.data(), with_errors))
       optimizer.lost_vertices_ = true;
@@ -289,9 +294,8 @@ void BlockSolverEngine::State::linearize(SparseOptimizer& optimizer) {
       double* to = v.bData();
       for (const double* end = from + v.dimension(); from != end; ++from, ++to) *to -= *from;
     });
-  } else {
-    std::fill(values().begin(), values().end(), 0.0);
-    if (with_errors && parts.compute_errors_of_batches()) optimizer.lost_vertices_ = true;
+  } else if (with_errors && parts.compute_errors_of_batches()) {
+    optimizer.lost_vertices_ = true;
   }
   const auto add = [](OptimizableGraph::Edge& edge, JacobianWorkspace& workspace) {
     if (!internal::is_complete(edge)) return;

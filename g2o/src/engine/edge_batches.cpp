@@ -102,15 +102,15 @@ struct EdgeBatches::Batch {
   int columns = 0;                     // of the Jacobians of these vertices
   std::vector<std::uint32_t> targets;  // of each edge, as in EdgeLanes and UnaryEdges
 
-  /// Whether the edges still have the vertices that they had when they were taken.
-  bool is_current() const {
-    const int* index = vertices.data();
-    bool is_same = true;
-    for_each_ahead(edges, [&](const Edge& edge) {
-      for (const int n : adder.positions)
-        is_same &= index_of(edge.vertex(static_cast<std::size_t>(n))) == *index++;
-    });
-    return is_same;
+  /// Whether edge k still has the vertices that it had when it was taken, and the same ones are fixed.
+  bool is_current(std::size_t k) const {
+    const Edge& edge = *edges[k];
+    const int* index = vertices.data() + k * adder.positions.size();
+    if (positions_in_hessian(edge) != mask) return false;
+    for (const int n : adder.positions) {
+      if (index_of(edge.vertex(static_cast<std::size_t>(n))) != *index++) return false;
+    }
+    return true;
   }
   std::size_t targets_per_edge() const {
     const std::size_t n = adder.positions.size();
@@ -119,7 +119,7 @@ struct EdgeBatches::Batch {
 };
 
 /// The memory for the numbers of one tile of edges.
-struct Tile {
+struct EdgeBatches::Tile {
   std::array<EdgeState, kTileEdges> state{};
   std::array<double, kTileEdges> chi2{}, weight{};
   std::array<const double*, kTileEdges> omegas{};
@@ -128,15 +128,21 @@ struct Tile {
   std::array<double*, 8> jacobian_of{};
   std::array<int, 8> stride{};
   std::vector<std::uint32_t> nowhere;
+  std::vector<std::vector<double>> outgrown;  // edges may keep pointers into this memory
 
   void grow(std::vector<double>& memory, int values) {
-    memory.resize(std::max(memory.size(), static_cast<std::size_t>(values)));
+    if (memory.size() >= static_cast<std::size_t>(values)) return;
+    std::vector<double> larger(static_cast<std::size_t>(values));
+    memory.swap(larger);
+    if (!larger.empty()) outgrown.push_back(std::move(larger));
   }
 };
 
 struct EdgeBatches::Part {
+  explicit Part(Tile& memory) : tile(memory) {}
+
   std::vector<Batch> batches;
-  Tile tile;
+  Tile& tile;
   LastType kernel_type;
 
   /// The sum of the part for one block and its part of the gradient, behind H and behind the gradient.
@@ -173,8 +179,9 @@ struct EdgeBatches::Part {
             tile.omega.data()};
   }
 
-  /// Adds ρ(chi2) of the edges of a run, and stores their weights ρ′.
-  void weigh(const EdgeRun& run, Pass& pass, bool linearized) {
+  /// Adds ρ(chi2) of the edges of a run, and stores their weights ρ′. If the edges are linearized, they are
+  /// those of `linearized` from `begin` on.
+  void weigh(const EdgeRun& run, Pass& pass, const Batch* linearized = nullptr, std::size_t begin = 0) {
     for (int k = 0; k < run.count; ++k) {
       const auto at = static_cast<std::size_t>(k);
       tile.weight[at] = 1;
@@ -198,7 +205,8 @@ struct EdgeBatches::Part {
         pass.chi2 += rho[0];
         tile.weight[at] = std::max(0.0, rho[1]);
       }
-      if (linearized && (!is_known || run.state[k] == EdgeState::kAsymmetric)) {
+      if (linearized == nullptr) continue;
+      if (!is_known || run.state[k] == EdgeState::kAsymmetric || !linearized->is_current(begin + at)) {
         pass.not_added.push_back(&edge);
         tile.targets[at] = tile.nowhere.data();
       }
@@ -210,7 +218,7 @@ struct EdgeBatches::Part {
       for (std::size_t begin = 0; begin < batch.edges.size(); begin += kTileEdges) {
         const EdgeRun tile_run = run(batch, begin);
         batch.kind->compute_errors(tile_run);
-        weigh(tile_run, pass, false);
+        weigh(tile_run, pass);
       }
     }
   }
@@ -224,7 +232,7 @@ struct EdgeBatches::Part {
         for (std::size_t k = 0; k < static_cast<std::size_t>(tile_run.count); ++k)
           tile.targets[k] = batch.targets.data() + (begin + k) * size;
         batch.kind->linearize(tile_run, with_errors);
-        weigh(tile_run, pass, true);
+        weigh(tile_run, pass, &batch, begin);
         add(batch, tile_run.count, values, gradient);
       }
     }
@@ -370,7 +378,8 @@ void EdgeBatches::take(const Edges& edges, int vertices, Edges& others) {
   std::optional<Divider> divider;
   if (taken.items.size() >= kFewestEdges) divider.emplace(taken);
   for (int p = 0; p < (divider ? kMostParts : 1); ++p) {
-    parts_.push_back(std::make_unique<Part>());
+    if (static_cast<std::size_t>(p) == tiles_.size()) tiles_.push_back(std::make_unique<Tile>());
+    parts_.push_back(std::make_unique<Part>(*tiles_[static_cast<std::size_t>(p)]));
     parts_.back()->batches = taken.batches;
   }
   for (const Taken::Item& item : taken.items) {
@@ -431,7 +440,9 @@ bool EdgeBatches::lay_out(const HessianPlaces& places, std::uint64_t stamp) {
       return static_cast<std::size_t>(h) < sum_of.size() ? sum_of[static_cast<std::size_t>(h)] : nullptr;
     };
     for (Batch& batch : part->batches) {
-      if (!batch.is_current()) return false;
+      for (std::size_t k = 0; k < batch.edges.size(); ++k) {
+        if (!batch.is_current(k)) return false;
+      }
       batch.targets.clear();
       batch.targets.reserve(batch.edges.size() * batch.targets_per_edge());
       const std::size_t arity = batch.adder.positions.size();
@@ -483,9 +494,12 @@ EdgeBatches::Pass EdgeBatches::compute_errors() {
   return for_each_part([](Part& part, Pass& pass) { part.compute_errors(pass); });
 }
 
-EdgeBatches::Pass EdgeBatches::linearize(double* values, double* gradient, bool with_errors) {
+void EdgeBatches::clear(double* values, double* gradient) const {
   set_to_zero(values, values_ + extra_values_, static_cast<int>(parts_.size()));
   std::fill_n(gradient, scalars_ + extra_scalars_, 0.0);
+}
+
+EdgeBatches::Pass EdgeBatches::linearize(double* values, double* gradient, bool with_errors) {
   Pass pass =
       for_each_part([&](Part& part, Pass& found) { part.linearize(values, gradient, with_errors, found); });
   add_sums(values, gradient);

@@ -73,12 +73,15 @@ class EdgeBatches {
   /// The numbers of values that the sums of parts need behind H and behind the gradient.
   std::uint32_t extra_values() const { return extra_values_; }
   std::uint32_t extra_scalars() const { return extra_scalars_; }
-  /// Sets H and the gradient JᵀΩe to the sums over the edges. Calls computeError() of the edges only if
+  /// Sets H and the gradient to zero, with the sums of parts.
+  void clear(double* values, double* gradient) const;
+  /// Adds the edges to H and to the gradient JᵀΩe, after clear(). Calls computeError() of the edges only if
   /// `with_errors` is true. Both arrays include the sums of parts.
   Pass linearize(double* values, double* gradient, bool with_errors);
 
  private:
   struct Batch;
+  struct Tile;
   struct Part;
   struct Taken;
   class Divider;
@@ -87,6 +90,7 @@ class EdgeBatches {
   Pass for_each_part(boxplus::detail::FunctionRef<void(Part&, Pass&)> task);
   void add_sums(double* values, double* gradient) const;
 
+  std::vector<std::unique_ptr<Tile>> tiles_;  // of the parts; they stay, because edges point to them
   std::vector<std::unique_ptr<Part>> parts_;
   std::uint64_t stamp_ = 0;
   std::uint32_t extra_values_ = 0, extra_scalars_ = 0, values_ = 0, scalars_ = 0;

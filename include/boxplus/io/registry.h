@@ -50,7 +50,7 @@ class Registry {
     add_shared(detail::edge_tag<EdgeFields<E>, E, V...>(name), example);
   }
   /// Adds an old tag of vertices (edges). The tag is only read; the vertices (edges) are written with another
-  /// tag.
+  /// tag, so Fields needs no write().
   template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name, const std::string& example = {}) {
     add_old(detail::vertex_tag<Fields, T>(std::move(name)), example);

@@ -188,9 +188,11 @@ Tag vertex_tag(std::string name) {
     in.expect_end();
     return graph.add_vertex(std::move(value), id);
   };
-  tag.write_vertex = [](const Graph& graph, VertexRef ref, FieldWriter& out) {
-    Fields::write(graph.estimate(VertexHandle<T>{ref}), out);
-  };
+  if constexpr (requires(const T& x, FieldWriter& out) { Fields::write(x, out); }) {
+    tag.write_vertex = [](const Graph& graph, VertexRef ref, FieldWriter& out) {
+      Fields::write(graph.estimate(VertexHandle<T>{ref}), out);
+    };
+  }
   return tag;
 }
 
@@ -212,7 +214,8 @@ Tag edge_tag(std::string name) {
   tag.optional_fields = kOptionalFields<Fields>;
   tag.check_edge = &check_edge<Fields, E, Strip<V>...>;
   tag.read_edge = &read_edge<Fields, E, Strip<V>...>;
-  tag.write_edge = &write_edge<Fields, E>;
+  if constexpr (requires(const E& edge, FieldWriter& out) { Fields::write(edge, out); })
+    tag.write_edge = &write_edge<Fields, E>;
   tag.lists_information = !requires(const E& edge) {
     Fields::information(edge);
   };

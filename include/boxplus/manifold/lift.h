@@ -7,11 +7,12 @@
 //     template <class S> static void lift(const T& x, const detail::Seed<S>& seed, Rebind<S>& y);
 //
 // it is called instead. Here y is cast<S>(x), or it was lifted with the same seed from any estimate. For each
-// number of y that ⊞ changes, lift() calls seed.set(number, value, k, slopes): the value, and the derivatives
+// number of y, lift() calls seed.set(number, value, k, slopes): the value, and the derivatives
 // by δ[k], δ[k + 1], … All other derivatives of y are zero already.
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <vector>
 
 #include "boxplus/autodiff/dual.h"
@@ -44,10 +45,19 @@ struct Seed {
   }
 };
 
-/// Manifold<T> has the member lift().
+/// Converts to exactly T, and to no base class of it.
+template <class T>
+struct Exactly {
+  template <class U>
+  requires std::same_as<U, T>
+  operator const U&() const;
+};
+
+/// Manifold<T> has the member lift() for T itself. A lift() that it has inherited with the manifold of a base
+/// class of T is not used, because Manifold<T> may have another ⊞.
 template <class T, class S>
 concept LiftsItself = Manifold<T>::kDim !=
-                      kDynamic&& requires(const T& x, const Seed<S>& seed, Rebind<T, S>& y) {
+                      kDynamic&& requires(const Exactly<T>& x, const Seed<S>& seed, Rebind<T, S>& y) {
   Manifold<T>::lift(x, seed, y);
 };
 

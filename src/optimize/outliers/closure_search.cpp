@@ -136,6 +136,20 @@ bool ClosureSearch::may_accept_all() const {
          static_cast<double>(contradictory) <= kMostContradictory * count;
 }
 
+/// The number of rows of all accepted edges, minus the number of unknowns. Gauge freedom is neglected.
+double ClosureSearch::degrees_of_freedom() const {
+  double degrees = 0;
+  for (const PoseEdge* edge : accepted_edges()) degrees += edge->rows;
+  for (const EdgeRef& edge : poses_.others) degrees += graph_.edge_pools()[edge.pool]->shape(edge.slot).rows;
+  for (const auto& pool : graph_.vertex_pools()) {
+    for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
+      if (!pool->alive(slot) || pool->fixed(slot) || pool->parameter(slot)) continue;
+      degrees -= pool->tangent_dim(slot) - static_cast<int>(pool->fixed_directions(slot).size());
+    }
+  }
+  return std::max(1.0, degrees);
+}
+
 bool ClosureSearch::accept_all() {
   std::fill(accepted_.begin(), accepted_.end(), 1);
   Options options = options_.options;
@@ -146,8 +160,7 @@ bool ClosureSearch::accept_all() {
   // With false closures, chi2 falls slowly above its limit, and each iteration is expensive, because they
   // fill the factor. So the run is given up if a few more iterations like the last one would not suffice.
   constexpr int kFewIterations = 2, kMoreIterations = 4;
-  double degrees = 0;  // about: the odometry determines the poses
-  for (const PoseEdge& closure : poses_.closures) degrees += closure.rows;
+  const double degrees = degrees_of_freedom();
   double before = std::numeric_limits<double>::infinity();
   options.callback = [&](const IterationRecord& record) {
     const double ahead = record.chi2 * std::pow(record.chi2 / before, kMoreIterations);

@@ -59,6 +59,7 @@ class ClosureSearch {
   Report optimize_accepted(Options options);
   void optimize_briefly(int iterations, Start start = Start::kCurrent);
   void measure();
+  double degrees_of_freedom() const;
   double limit(std::size_t closure) const { return quantile_[closure] * limit_scale_; }
 
   Graph& graph_;

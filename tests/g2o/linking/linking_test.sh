@@ -17,6 +17,7 @@ rm -rf "$work"
 "$work/build/unnamed"
 "$work/build/two_copies" "$work/build/libfirst.so" "$work/build/libsecond.so" "$is_static"
 "$work/build/joined"
+"$work/build/reopened" "$(dirname "$(find "$work/installed" -name libg2o_core.so)")"
 "$work/build/host" "$work/build/libfirst.so"
 if [[ $is_static == 1 ]]; then "$work/build/beside_another"; fi
 exported=$(objdump -T "$(find "$work/installed" -name libg2o_core.so)" | grep -v UND)

@@ -125,6 +125,38 @@ TEST(SbaBatches, FollowEdgesThatGetAnotherVertexWithoutANewInitialization) {
   });
 }
 
+TEST(SbaBatches, FollowEdgesThatGetAnotherVertexDuringTheIterations) {
+  struct MoveEdges : g2o::HyperGraphAction {
+    explicit MoveEdges(Scene& s) : scene(s) {}
+    HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
+      if (++calls != 4) return this;
+      for (std::size_t k = 0; k < 50; ++k) scene.edges[k]->setVertex(1, scene.optimizer.vertex(11));
+      return this;
+    }
+    Scene& scene;
+    int calls = 0;
+  };
+  Scene ours(400, library_edge), plain(400, client_edge);
+  MoveEdges of_ours(ours), of_plain(plain);
+  ours.optimizer.addComputeErrorAction(&of_ours);
+  plain.optimizer.addComputeErrorAction(&of_plain);
+  const double chi2 = plain.chi2_after(6);
+  EXPECT_NEAR(ours.chi2_after(6), chi2, 1e-9 * chi2);
+}
+
+TEST(SbaBatches, LeaveReadableJacobiansInTheEdges) {
+  Scene scene(400, library_edge);
+  scene.optimizer.optimize(1);
+  g2o::EdgeSE3ProjectXYZ& outlier = *scene.edges[0];
+  outlier.setLevel(1);
+  scene.optimizer.initializeOptimization(0);
+  scene.optimizer.computeActiveErrors();
+  outlier.computeError();
+  static_cast<g2o::BaseBinaryEdge<2, g2o::Vector2, g2o::VertexPointXYZ, g2o::VertexSE3Expmap>&>(outlier)
+      .linearizeOplus();
+  EXPECT_TRUE(outlier.jacobianOplusXi().allFinite()) << "the memory still exists (AddressSanitizer)";
+}
+
 TEST(SbaBatches, MayBeMixedWithEdgesOfClients) {
   int made = 0;
   const auto mixed = [&]() { return made++ % 3 == 0 ? client_edge() : library_edge(); };

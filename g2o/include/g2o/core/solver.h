@@ -38,10 +38,6 @@ class G2O_CORE_API Solver {
                                const HyperGraph::EdgeSet& edges) = 0;
   /// Linearizes the active edges and fills H and b. The errors of the edges must be up to date.
   virtual bool buildSystem() = 0;
-  /// Returns whether buildSystem() can also compute the errors of edges that the library evaluates in
-  /// batches. The algorithms then compute only the errors of the other edges before they call buildSystem().
-  /// g2o does not have this function.
-  virtual bool computesErrors() const { return false; }
   virtual bool solve() = 0;
   /// Computes the blocks (i, j) of H⁻¹. i and j are Hessian indices.
   virtual bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
@@ -80,6 +76,11 @@ class G2O_CORE_API Solver {
   virtual bool writeDebug() const = 0;
   /// Writes H to a file for Octave.
   virtual bool saveHessian(const std::string& fileName) const = 0;
+
+  /// Returns whether buildSystem() can also compute the errors of edges that the library evaluates in
+  /// batches. The algorithms then compute only the errors of the other edges before they call buildSystem().
+  /// g2o does not have this function.
+  virtual bool computesErrors() const { return false; }
 
   // Older names of functions. The g2o document uses these names.
   G2O_ATTRIBUTE_DEPRECATED(bool initializeStructure()) { return buildStructure(); }
