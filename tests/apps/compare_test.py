@@ -202,6 +202,17 @@ class CompareTest(CommandCase):
         self.change_images(model, repeat)
         self.assert_refused(run("compare", model, model), "expected different names in each COLMAP model, but images 3 and 5 are both named '2'")
 
+    def test_cameras_at_one_position_have_no_scale(self):
+        camera = "0 0 0\n0 0 0\n500 0 0\n"
+        points = "3 1 3\n0 0 1 2\n1 0 1 2\n2 0 1 2\n"
+        flat = self.written("flat.bal", points + 3 * camera + "0 0 -5\n")
+        moved = self.written("moved.bal", points + camera + camera.replace("0 0 0\n500", "1 0 0\n500") +
+                             camera.replace("0 0 0\n500", "0 2 0\n500") + "0 0 -5\n")
+        for result, truth in ((flat, moved), (moved, flat)):
+            done = run("compare", result, truth, "--json", "-")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertNotIn("ate_rmse_m_with_scale", json.loads(done.stdout))
+
     def test_without_json_the_values_are_printed_in_a_table(self):
         done = run("compare", "-", self.written("truth", graph(PLACES)), stdin=graph(PLACES, scale=0.5))
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -240,6 +240,7 @@ TEST(FindAllOutliers, JudgesNoEdgeIfItsTimeIsUp) {
   options.suspects = Suspects::kAll;
   options.options.time_limit_s = 0;
   const OutlierReport found = find_outliers(graph, options);
+  EXPECT_FALSE(found.report.converged());
   EXPECT_EQ(found.count(Verdict::kUndecided), found.verdicts.size());
   EXPECT_THAT(found.note, HasSubstr("stopped"));
 }

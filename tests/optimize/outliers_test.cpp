@@ -17,6 +17,7 @@
 #include "boxplus/testing/simulate.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
+#include "optimize/outliers/doubts.h"
 
 namespace boxplus {
 namespace {
@@ -103,6 +104,50 @@ TEST(FindOutliers, FindsHalfOfTheClosuresOfARealGraph) {
     EXPECT_LE(wrong_verdicts(found, example.false_closures), 15) << group;
     EXPECT_LT(example.displacement(), 0.05) << group;
   }
+}
+
+TEST(FindOutliers, FindsASingleFalseClosureThatBendsARealMap) {
+  const char* folder = std::getenv("BOXPLUS_DATA");
+  const std::string path = std::string(folder == nullptr ? "" : folder) + "/posegraph2d/M3500.g2o";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "M3500.g2o is not in BOXPLUS_DATA";
+  const Graph clean = read_graph(path).graph;
+  for (const auto& [from, to] : {std::pair<Id, Id>(2624, 3455), {1186, 2716}, {20, 600}, {2887, 3211}}) {
+    Graph graph = clean;
+    const EdgeRef lie = graph.add_edge(Between<SE2>(SE2(1, 1, 0.5)), Information(44.72136),
+                                       graph.vertex<SE2>(from), graph.vertex<SE2>(to));
+    const OutlierReport found = find_outliers(graph);
+    EXPECT_EQ(found.edges(Verdict::kOutlier), std::vector<EdgeRef>{lie}) << from;
+    EXPECT_NEAR(found.report.chi2_final, 137.912951, 1e-5) << from;
+  }
+}
+
+TEST(FindOutliers, IsNotConvincedByCopiesOfAFalseClosure) {
+  Graph graph = simulated(World::kManhattan, 300);
+  std::set<EdgeRef> lies;
+  for (int copy = 0; copy < 6; ++copy)
+    lies.insert(
+        graph.add_edge(Between<SE2>(SE2(30, -20, 0.5)), graph.vertex<SE2>(40), graph.vertex<SE2>(200)));
+  const OutlierReport found = find_outliers(graph);
+  EXPECT_EQ(wrong_verdicts(found, lies), 0);
+  EXPECT_GT(found.noise_scale, 0.1);
+}
+
+TEST(FindOutliers, DoubtsAResultForWhichMostClosuresWereRejected) {
+  OutlierReport result;
+  result.report.status = Report::Status::kConverged;
+  result.verdicts.resize(10);
+  for (std::size_t k = 0; k < 10; ++k) {
+    result.verdicts[k].verdict = k < 6 ? Verdict::kOutlier : Verdict::kInlier;
+    result.verdicts[k].weight = k < 6 ? 0 : 1;
+  }
+  outliers::doubt_if_most_are_rejected(result);
+  EXPECT_TRUE(result.report.converged());
+  result.verdicts[6].verdict = Verdict::kOutlier;
+  result.verdicts[6].weight = 0;
+  outliers::doubt_if_most_are_rejected(result);
+  EXPECT_EQ(result.report.reason, Report::Reason::kRejectedEdges);
+  EXPECT_THAT(result.report.message, HasSubstr("7 of the 10 loop closures were rejected"));
+  EXPECT_THAT(result.note, HasSubstr("most loop closures do not fit"));
 }
 
 TEST(FindOutliers, ReportsEveryClosureOnceWithItsPosesAndItsWeight) {

@@ -54,9 +54,13 @@ double much_lower_with_scale(const CompareArguments& arguments, const Trajectory
   constexpr std::size_t kFewest = 3;  // a scale always fits two positions
   if (!is_bundle || pairs.size() < kFewest || arguments.scale || arguments.alignment != AlignmentKind::kRigid)
     return -1;
-  const Alignment scaled = align_poses(pairs, result.dimension, AlignmentKind::kRigid, true);
-  const double scaled_rmse = absolute_error(pairs, scaled).rmse;
-  return scaled_rmse < 0.5 * rmse ? scaled_rmse : -1;
+  try {
+    const Alignment scaled = align_poses(pairs, result.dimension, AlignmentKind::kRigid, true);
+    const double scaled_rmse = absolute_error(pairs, scaled).rmse;
+    return scaled_rmse < 0.5 * rmse ? scaled_rmse : -1;
+  } catch (const InvalidArgument&) {
+    return -1;  // no scale fits, for example because all poses are at one position
+  }
 }
 
 Comparison compare(const CompareArguments& arguments) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "boxplus/robust/default_width.h"
+#include "optimize/outliers/doubts.h"
 
 namespace boxplus::outliers {
 namespace {
@@ -364,6 +365,7 @@ OutlierReport Annealing::judge(Report report, bool stopped) const {
   result.noise_scale = state_.noise_scale;
   if (stopped) {
     result.note = "the search was stopped, so no edge is judged";
+    mark_as_stopped(report, options_.options);
   } else if (rejected > state_.edges.size() / 2) {
     result.note = "more than half of the edges do not fit, so the verdicts and the map may be wrong";
     if (report.converged()) {

@@ -169,7 +169,16 @@ bool ClosureSearch::accept_all() {
   };
   const Report report = optimize_accepted(options);
   bool all_fit = report.converged() && !(report.chi2_per_degree() > most);
-  for (std::size_t k = 0; k < chi2_.size(); ++k) all_fit = all_fit && chi2_[k] <= kFarAbove * limit(k);
+  // A single false closure bends the map until its own error is small. So a closure without support has no
+  // margin, unless the noise of closures differs so much from that of cycles that their Ω cannot be compared.
+  constexpr double kSimilar = 4;
+  const double scale = noise_scale();
+  const bool is_strict = scale <= kSimilar * cycles_.noise_scale;
+  for (std::size_t k = 0; k < chi2_.size(); ++k) {
+    const double most_of_closure =
+        is_strict && !is_supported(k) ? quantile_[k] * scale : kFarAbove * limit(k);
+    all_fit = all_fit && chi2_[k] <= most_of_closure;
+  }
   if (!all_fit) std::fill(accepted_.begin(), accepted_.end(), 0);
   if (all_fit) all_accepted_ = report;
   return all_fit;

@@ -40,6 +40,12 @@ class PairFinder {
   }
 
  private:
+  /// A copy of a measurement confirms nothing.
+  static bool are_copies(const PoseEdge& a, const PoseEdge& b) {
+    return a.from == b.from && a.to == b.to && a.motion.translation == b.motion.translation &&
+           a.motion.rotation == b.motion.rotation;
+  }
+
   void list_near(std::size_t k, std::vector<std::pair<std::int64_t, std::uint32_t>>& near) const {
     constexpr std::size_t kNearest = 10;
     const PoseEdge& a = closures_[by_from_[k]];
@@ -49,7 +55,7 @@ class PairFinder {
       const std::int64_t from = distance(a.from, b.from), to = distance(a.to, b.to);
       if (from > window_) break;
       if (to > window_ || chain_.part(a.from) != chain_.part(b.from) ||
-          chain_.part(a.to) != chain_.part(b.to))
+          chain_.part(a.to) != chain_.part(b.to) || are_copies(a, b))
         continue;
       near.emplace_back(from + to, by_from_[m]);
     }

@@ -10,6 +10,7 @@
 #include "boxplus/optimize/optimizer.h"
 #include "optimize/outliers/annealing.h"
 #include "optimize/outliers/closure_search.h"
+#include "optimize/outliers/doubts.h"
 
 namespace boxplus {
 namespace {
@@ -53,7 +54,13 @@ OutlierReport search(Graph& graph, const outliers::PoseGraph& poses, const Outli
   result.report = search.finish();
   result.verdicts = search.verdicts();
   result.noise_scale = search.noise_scale();
-  result.note = search.was_stopped() ? "the search was stopped, so no closure is judged" : search.note();
+  result.note = search.note();
+  if (search.was_stopped()) {
+    result.note = "the search was stopped, so no closure is judged";
+    outliers::mark_as_stopped(result.report, options.options);
+  } else {
+    outliers::doubt_if_most_are_rejected(result);
+  }
   return result;
 }
 
