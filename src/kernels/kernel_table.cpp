@@ -11,7 +11,7 @@ struct Usable {
   const KernelTable* tables[3] = {&baseline::kTable};
   std::size_t count = 1;
 
-  Usable() {
+  Usable() {  // NOLINT(modernize-use-equals-default): it is not empty on x86
 #ifdef BOXPLUS_X86_KERNELS
     __builtin_cpu_init();
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

@@ -14,8 +14,10 @@ inline void prefetch(const void* object, std::size_t bytes) {
 #if defined(__GNUC__)
   constexpr std::size_t kLine = 64;
   const auto begin = reinterpret_cast<std::uintptr_t>(object);  // integers may point past the object
-  for (std::size_t at = 0; at < bytes; at += kLine)
+  for (std::size_t at = 0; at < bytes; at += kLine) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the address is only prefetched
     __builtin_prefetch(reinterpret_cast<const void*>(begin + at));
+  }
 #else
   static_cast<void>(object);
   static_cast<void>(bytes);
