@@ -14,7 +14,7 @@
 namespace g2o {
 namespace internal {
 
-/// Where the blocks of H and the parts of the gradient are stored.
+/// The places of the blocks of H, and of the parts of the gradient, in memory.
 class HessianPlaces {
  public:
   HessianPlaces() = default;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "g2o/core/optimization_algorithm_dogleg.h"
@@ -39,6 +40,18 @@ struct ClientKernel : g2o::RobustKernel {
     rho << 0.5 * e2, 0.5, 0;
   }
   std::thread::id caller = std::this_thread::get_id();
+};
+
+/// An action that changes a scene at its fourth call, which is during the iterations.
+struct AtFourthCall : g2o::HyperGraphAction {
+  AtFourthCall(Scene& s, std::function<void(Scene&)> f) : scene(s), change(std::move(f)) {}
+  HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
+    if (++calls == 4) change(scene);
+    return this;
+  }
+  Scene& scene;
+  std::function<void(Scene&)> change;
+  int calls = 0;
 };
 
 g2o::EdgeSE3ProjectXYZ* library_edge() {
@@ -90,17 +103,9 @@ TEST(SbaBatches, LeaveOutVerticesThatAreFixedAfterTheInitialization) {
 }
 
 TEST(SbaBatches, DropEdgesThatLoseAVertexDuringAnIteration) {
-  struct TakeVertex : g2o::HyperGraphAction {
-    explicit TakeVertex(Scene& s) : scene(s) {}
-    HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
-      if (++calls == 4) scene.edges[100]->setVertex(0, nullptr);
-      return this;
-    }
-    Scene& scene;
-    int calls = 0;
-  };
   Scene ours(400, library_edge), plain(400, client_edge);
-  TakeVertex from_ours(ours), from_plain(plain);
+  const auto take_vertex = [](Scene& scene) { scene.edges[100]->setVertex(0, nullptr); };
+  AtFourthCall from_ours(ours, take_vertex), from_plain(plain, take_vertex);
   ours.optimizer.addComputeErrorAction(&from_ours);
   plain.optimizer.addComputeErrorAction(&from_plain);
   const double chi2 = plain.chi2_after(6);
@@ -126,18 +131,11 @@ TEST(SbaBatches, FollowEdgesThatGetAnotherVertexWithoutANewInitialization) {
 }
 
 TEST(SbaBatches, FollowEdgesThatGetAnotherVertexDuringTheIterations) {
-  struct MoveEdges : g2o::HyperGraphAction {
-    explicit MoveEdges(Scene& s) : scene(s) {}
-    HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
-      if (++calls != 4) return this;
-      for (std::size_t k = 0; k < 50; ++k) scene.edges[k]->setVertex(1, scene.optimizer.vertex(11));
-      return this;
-    }
-    Scene& scene;
-    int calls = 0;
-  };
   Scene ours(400, library_edge), plain(400, client_edge);
-  MoveEdges of_ours(ours), of_plain(plain);
+  const auto move_edges = [](Scene& scene) {
+    for (std::size_t k = 0; k < 50; ++k) scene.edges[k]->setVertex(1, scene.optimizer.vertex(11));
+  };
+  AtFourthCall of_ours(ours, move_edges), of_plain(plain, move_edges);
   ours.optimizer.addComputeErrorAction(&of_ours);
   plain.optimizer.addComputeErrorAction(&of_plain);
   const double chi2 = plain.chi2_after(6);
