@@ -46,14 +46,11 @@ class Faults {
 
 /// What is wrong with Ω, or an empty text.
 std::string fault_of_information(const Edge& edge) {
-  constexpr double kRounding = 1e-9;
-  const MatrixX omega = Eigen::Map<const MatrixX>(edge.informationData(), edge.dimension(), edge.dimension());
-  if (!omega.allFinite()) return "not finite";
-  const double scale = omega.cwiseAbs().maxCoeff();
-  if (scale == 0) return "zero";
-  if ((omega - omega.transpose()).cwiseAbs().maxCoeff() > kRounding * scale) return "not symmetric";
-  const double least = Eigen::SelfAdjointEigenSolver<MatrixX>(omega, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  if (least < -kRounding * scale) return "indefinite, with the eigenvalue " + std::to_string(least);
+  const InformationCheck check = checkInformation(edge);
+  if (!std::isfinite(check.largest)) return "not finite";
+  if (check.largest == 0) return "zero";
+  if (!check.symmetric) return "not symmetric";
+  if (!check.definite) return "indefinite, with the eigenvalue " + std::to_string(check.least_eigenvalue);
   return "";
 }
 
@@ -174,6 +171,20 @@ class Search {
 };
 
 }  // namespace
+
+InformationCheck checkInformation(const Edge& edge) {
+  constexpr double kRounding = 1e-9;
+  const MatrixX omega = Eigen::Map<const MatrixX>(edge.informationData(), edge.dimension(), edge.dimension());
+  InformationCheck check;
+  if (!omega.allFinite()) return check;
+  check.largest = omega.cwiseAbs().maxCoeff();
+  check.symmetric = (omega - omega.transpose()).cwiseAbs().maxCoeff() <= kRounding * check.largest;
+  if (!check.symmetric) return check;
+  check.least_eigenvalue =
+      Eigen::SelfAdjointEigenSolver<MatrixX>(omega, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  check.definite = check.least_eigenvalue >= -kRounding * check.largest;
+  return check;
+}
 
 std::string nameOf(const Edge& edge) {
   std::string name = Factory::instance()->tag(&edge);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/core/optimizable_graph.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 
+#include "core/findings.h"
 #include "g2o/core/cache.h"
 #include "g2o/core/optimization_algorithm_property.h"
 #include "g2o/core/ownership.h"
@@ -412,23 +411,17 @@ bool OptimizableGraph::isSolverSuitable(const OptimizationAlgorithmProperty& sol
 }
 
 bool OptimizableGraph::verifyInformationMatrices(bool verbose) const {
-  constexpr double kRounding = 1e-9;
   bool ok = true;
   for (const HyperGraph::Edge* u : _edges) {
     const auto* e = static_cast<const Edge*>(u);
-    const MatrixX omega = Eigen::Map<const MatrixX>(e->informationData(), e->dimension(), e->dimension());
-    const double scale = omega.cwiseAbs().maxCoeff();
-    const bool symmetric = (omega - omega.transpose()).cwiseAbs().maxCoeff() <= kRounding * scale;
-    const bool definite =
-        symmetric && Eigen::SelfAdjointEigenSolver<MatrixX>(omega, Eigen::EigenvaluesOnly).eigenvalues()[0] >=
-                         -kRounding * scale;
-    if (symmetric && definite && std::isfinite(scale)) continue;
+    const internal::InformationCheck check = internal::checkInformation(*e);
+    if (check.definite) continue;
     ok = false;
     if (!verbose) break;
     std::string ids;
     for (const HyperGraph::Vertex* v : e->vertices()) ids += " " + (v ? std::to_string(v->id()) : "none");
     G2O_WARN("the information matrix of the edge over{} is not {}", ids,
-             symmetric ? "positive semi-definite" : "symmetric");
+             check.symmetric ? "positive semi-definite" : "symmetric");
   }
   return ok;
 }
