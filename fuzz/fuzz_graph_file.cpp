@@ -26,12 +26,14 @@ namespace boxplus {
 namespace {
 
 /// The text and the chi2 of a graph, which serve to compare graphs. chi2 is compared with a tolerance,
-/// because the order of the summation may differ.
+/// because the order of the summation may differ. A graph that the writer refuses has no text to compare.
 struct Trace {
   std::string text, compared;
   double chi2;
+  bool is_refused = false;
 
   bool operator==(const Trace& other) const {
+    if (is_refused || other.is_refused) return true;
     const bool same_sum = chi2 == other.chi2 || std::abs(chi2 - other.chi2) <= 1e-12 * std::abs(chi2) ||
                           (std::isnan(chi2) && std::isnan(other.chi2));
     return compared == other.compared && same_sum;
@@ -59,15 +61,27 @@ void check_data(const GraphFile& file) {
   }
 }
 
+/// The writer refuses a graph if rounding of the pose changes a reprojection error, as with a camera at 1e16
+/// or a point at the center of its camera.
+Trace trace_of_bal(const GraphFile& file) {
+  std::string written;
+  try {
+    written = format_graph(file);
+  } catch (const InvalidArgument&) {
+    return Trace{"", "", 0, true};
+  }
+  std::size_t end = 0;
+  for (std::size_t line = 0; line <= file.graph.edge_count(); ++line) end = written.find('\n', end) + 1;
+  return Trace{written, written.substr(0, end), 0};
+}
+
 std::optional<Trace> trace_of(std::string_view text, const ReadOptions& options) {
   try {
     const GraphFile file = parse_graph(text, "fuzz", options);
     check_data(file);
-    std::string written = format_graph(file);
-    if (file.format != "BAL") return Trace{written, written, file.graph.chi2()};
-    std::size_t end = 0;
-    for (std::size_t line = 0; line <= file.graph.edge_count(); ++line) end = written.find('\n', end) + 1;
-    return Trace{written, written.substr(0, end), 0};
+    if (file.format == "BAL") return trace_of_bal(file);
+    const std::string written = format_graph(file);
+    return Trace{written, written, file.graph.chi2()};
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -123,6 +137,7 @@ void check(std::string_view text) {
   const FileFormat* format = default_formats().recognize(text);
   if (!leniently && (format->name == "BAL" || format->name == "json" || !format->read)) return;
   if (!leniently) expect_same("lenient reading never throws", Trace{}, leniently);
+  if (leniently->is_refused) return;
   // A kept line may become the first line, and may look like that of another format.
   if (is_packed(leniently->text) ||
       !is_read_as_written(format->name, default_formats().recognize(leniently->text)->name))
