@@ -20,7 +20,8 @@ struct CeresBundleSettings {
 
 class __attribute__((visibility("default"))) CeresBundle {
  public:
-  CeresBundle(const BundleProblem& problem, bool analytic);
+  /// With a positive `huber_width` in pixels, each observation has a Huber loss of this width.
+  CeresBundle(const BundleProblem& problem, bool analytic, double huber_width = 0);
   ~CeresBundle();
   /// Solves the problem from its start. The run ends when the cost is at most `target`.
   BundleRun run(CeresBundleSettings::Solver solver, int threads, double target);

@@ -68,10 +68,10 @@ std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
 
 /// A thread that lives as long as the process, with a mailbox for one task at a time.
 ///
-/// posted_ and done_ count the posted and the finished tasks. The owner posts the next task only after
-/// wait(). Both counters change only under the mutex, so that a sleeping thread misses no change. A spinning
-/// thread reads the counters without the mutex. Because the counters are atomic, a thread that reads a new
-/// count also reads the new task_ or failure_.
+/// posted_, begun_ and done_ count the tasks. The owner posts the next task only after finish(). Whoever
+/// raises begun_ to posted_ runs the task: the thread, or the owner. posted_ and done_ change only under the
+/// mutex, so that a sleeping thread misses no change. A spinning thread reads the counters without the mutex.
+/// Because the counters are atomic, a thread that reads a new count also reads the new task_ or failure_.
 class Worker {
  public:
   explicit Worker(int index) {
@@ -90,8 +90,13 @@ class Worker {
     wake_.notify_one();
   }
 
-  /// Waits until the posted task has ended. Returns its exception, if any.
-  std::exception_ptr wait() {
+  /// Runs the posted task on this thread if it has not begun. Otherwise, waits until it has ended. Returns
+  /// its exception, if any.
+  std::exception_ptr finish(int index) {
+    if (begin(posted_.load())) {
+      done_.store(posted_.load());
+      return run_here(*task_, index, index + 1);
+    }
     spin_then_sleep(mutex_, finished_, [this] { return done_.load() == posted_.load(); });
     return std::exchange(failure_, nullptr);
   }
@@ -99,22 +104,30 @@ class Worker {
  private:
   [[noreturn]] void loop(int index) {
     inside_task = true;
-    for (unsigned seen = 0;; ++seen) {
-      spin_then_sleep(mutex_, wake_, [this, seen] { return posted_.load() != seen; });
+    for (;;) {
+      spin_then_sleep(mutex_, wake_, [this] { return posted_.load() != begun_.load(); });
+      const unsigned count = posted_.load();
+      if (!begin(count)) continue;
       failure_ = run_here(*task_, index, index + 1);
       {
         std::lock_guard lock(mutex_);
-        done_.fetch_add(1);
+        done_.store(count);
       }
       finished_.notify_one();
     }
+  }
+
+  /// Whether this call is the first to begin the task with this number.
+  bool begin(unsigned count) {
+    unsigned before = count - 1;
+    return begun_.compare_exchange_strong(before, count);
   }
 
   std::mutex mutex_;
   std::condition_variable wake_, finished_;
   const Task* task_ = nullptr;
   std::exception_ptr failure_;
-  std::atomic<unsigned> posted_{0}, done_{0};
+  std::atomic<unsigned> posted_{0}, begun_{0}, done_{0};
 };
 
 class Pool {
@@ -126,11 +139,11 @@ class Pool {
     inside_task = true;
     std::exception_ptr failure = run_here(task, 0, 1);
     std::exception_ptr unforked = run_here(task, forked + 1, count);
-    inside_task = false;
     for (int i = 1; i <= forked; ++i) {
-      std::exception_ptr theirs = worker(i).wait();
+      std::exception_ptr theirs = worker(i).finish(i);
       if (!failure) failure = std::move(theirs);
     }
+    inside_task = false;
     if (!failure) failure = std::move(unforked);
     if (failure) std::rethrow_exception(std::move(failure));
   }

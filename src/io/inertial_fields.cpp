@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/io/inertial_fields.h"
 
+#include <fmt/format.h>
+
 namespace boxplus {
 namespace {
 
@@ -38,7 +40,10 @@ InertialBetween EdgeFields<InertialBetween>::read(FieldReader& in) {
   motion.position = pose.translation();
   motion.rotation = pose.quaternion();
   motion.velocity = read_vector<Vector3>(in, "a change of the velocity");
+  const FieldPlace duration = in.place();
   motion.seconds = in.number("the duration");
+  if (motion.seconds <= 0)
+    in.fail(duration, fmt::format("expected a positive duration, got {}", motion.seconds));
   motion.bias = read_vector<ImuBias>(in, "a bias");
   for (int i = 0; i < motion.bias_jacobian.rows(); ++i)
     motion.bias_jacobian.row(i) = read_vector<ImuBias>(in, "a derivative with respect to the biases");

@@ -41,14 +41,6 @@ AddProduct add_product_for(int rows) {
   }
 }
 
-/// block += scale · vi vjᵀ, or its transpose.
-void add_rank_one(double scale, const double* vi, int di, const double* vj, int dj, bool transposed,
-                  double* block) {
-  for (int b = 0; b < dj; ++b) {
-    for (int a = 0; a < di; ++a) block[transposed ? b + a * dj : a + b * di] += scale * vi[a] * vj[b];
-  }
-}
-
 /// Visits the places in the gradient and in H to which an edge adds (Scatter). Calls add_vertex(column, dim,
 /// target) for each vertex i, and add_pair(column_i, dim_i, column_j, dim_j, transposed, target) for each
 /// pair of vertices i and j ≤ i. Skips targets that are kNowhere.
@@ -82,36 +74,33 @@ void weigh(const EdgeSystem& edge, const detail::InformationView& information, d
   }
 }
 
-/// Adds an edge with scalar loops. Works for edges of any size, and for weights with a rank-one term.
-void accumulate_any(const EdgeSystem& edge, const detail::InformationView& information,
-                    const EdgeWeight& weight, const std::uint32_t* targets, double* values, double* gradient,
-                    double* weighted, double* weighted_error) {
+/// Adds an edge with scalar loops. Works for edges of any size.
+void accumulate_any(const EdgeSystem& edge, const detail::InformationView& information, double weight,
+                    const std::uint32_t* targets, double* values, double* gradient, double* weighted,
+                    double* weighted_error) {
   const int rows = edge.rows, cols = edge.cols;
   weigh(edge, information, weighted, weighted_error);
   const double* v = weighted_error + rows;
-  if (weight.first != 1) {
-    for (int k = 0; k < rows * cols; ++k) weighted[k] *= weight.first;
+  if (weight != 1) {
+    for (int k = 0; k < rows * cols; ++k) weighted[k] *= weight;
   }
   const AddProduct add = add_product_for(rows);
   for_each_target(
       edge, targets,
       [&](int column, int dim, std::uint32_t target) {
         for (int k = 0; k < dim; ++k)
-          gradient[target + static_cast<std::uint32_t>(k)] += weight.first * v[column + k];
+          gradient[target + static_cast<std::uint32_t>(k)] += weight * v[column + k];
       },
       [&](int column_i, int di, int column_j, int dj, bool transposed, std::uint32_t target) {
         double* block = values + target;
         add(edge.jacobian + column_i * rows, di, weighted + column_j * rows, dj, rows, transposed, block);
-        if (weight.second != 0)
-          add_rank_one(weight.second, v + column_i, di, v + column_j, dj, transposed, block);
       });
 }
 
 /// Adds an edge with the kernels for small edges. Computes `products` = ρ′JᵀΩJ as a whole, and then adds its
 /// blocks.
-void accumulate_small(const EdgeSystem& edge, const detail::InformationView& information,
-                      const EdgeWeight& weight, const std::uint32_t* targets, double* values,
-                      double* gradient) {
+void accumulate_small(const EdgeSystem& edge, const detail::InformationView& information, double weight,
+                      const std::uint32_t* targets, double* values, double* gradient) {
   static_assert(static_cast<int>(detail::InformationKind::kScalar) == dense::EdgeNumbers::kScalar &&
                 static_cast<int>(detail::InformationKind::kDiagonal) == dense::EdgeNumbers::kDiagonal &&
                 static_cast<int>(detail::InformationKind::kFull) == dense::EdgeNumbers::kFull);
@@ -121,9 +110,9 @@ void accumulate_small(const EdgeSystem& edge, const detail::InformationView& inf
   const double* columns[dense::kMostEdgeColumns];
   for (int c = 0; c < edge.cols; ++c) columns[c] = edge.jacobian + c * edge.rows;
   const auto kind = static_cast<dense::EdgeNumbers::Kind>(information.kind);
-  const int stride = kernels.normal_products(
-      {edge.rows, edge.cols, columns, edge.error, kind, information.values, weight.first}, products,
-      gradient_of_edge);
+  const int stride =
+      kernels.normal_products({edge.rows, edge.cols, columns, edge.error, kind, information.values, weight},
+                              products, gradient_of_edge);
   for_each_target(
       edge, targets,
       [&](int column, int dim, std::uint32_t target) {
@@ -140,16 +129,16 @@ void accumulate_small(const EdgeSystem& edge, const detail::InformationView& inf
 
 /// Adds an edge with the dense kernels. Computes the lower triangle of −ρ′JᵀΩJ in strips of columns, and then
 /// subtracts its blocks.
-void accumulate_large(const EdgeSystem& edge, const detail::InformationView& information,
-                      const EdgeWeight& weight, const std::uint32_t* targets, double* values,
-                      double* gradient, double* weighted, double* weighted_error, double* dense) {
+void accumulate_large(const EdgeSystem& edge, const detail::InformationView& information, double weight,
+                      const std::uint32_t* targets, double* values, double* gradient, double* weighted,
+                      double* weighted_error, double* dense) {
   constexpr int kStripColumns = 48;
   const int rows = edge.rows, cols = edge.cols;
   weigh(edge, information, weighted, weighted_error);
   const double* v = weighted_error + rows;
   double* transposed = dense;  // ρ′Jᵀ
   for (int r = 0; r < rows; ++r) {
-    for (int c = 0; c < cols; ++c) transposed[r * cols + c] = weight.first * edge.jacobian[c * rows + r];
+    for (int c = 0; c < cols; ++c) transposed[r * cols + c] = weight * edge.jacobian[c * rows + r];
   }
   double* product = dense + rows * cols;
   std::fill_n(product, cols * cols, 0.0);
@@ -159,8 +148,7 @@ void accumulate_large(const EdgeSystem& edge, const detail::InformationView& inf
                                                 std::min(kStripColumns, cols - c), rows);
   }
   const auto add_vertex = [&](int column, int dim, std::uint32_t target) {
-    for (int k = 0; k < dim; ++k)
-      gradient[target + static_cast<std::uint32_t>(k)] += weight.first * v[column + k];
+    for (int k = 0; k < dim; ++k) gradient[target + static_cast<std::uint32_t>(k)] += weight * v[column + k];
   };
   const auto add_pair = [&](int column_i, int di, int column_j, int dj, bool is_transposed,
                             std::uint32_t target) {
@@ -171,11 +159,12 @@ void accumulate_large(const EdgeSystem& edge, const detail::InformationView& inf
         block[is_transposed ? b + a * dj : a + b * di] -= product[column * cols + row];
       }
     }
-    if (weight.second != 0)
-      add_rank_one(weight.second, v + column_i, di, v + column_j, dj, is_transposed, block);
   };
   for_each_target(edge, targets, add_vertex, add_pair);
 }
+
+/// The part of the curvature of ρ′Ω along the error that Triggs' correction leaves at least.
+constexpr double kLeastCurvature = 1e-4;
 
 }  // namespace
 
@@ -184,18 +173,20 @@ EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   const RobustKernel::Rho rho = (*kernel)(e2);
   EdgeWeight weight{rho.first < 0 ? 0 : rho.first, 0};  // NaN stays NaN
   if (triggs && e2 > 0) {
-    const double least = -weight.first / e2;
-    weight.second = 2 * rho.second < least ? least : 2 * rho.second;
+    constexpr double kRounding = 1e-9;
+    const double along_error = weight.first + 2 * rho.second * e2, least = kLeastCurvature * weight.first;
+    const bool is_concave = along_error < -kRounding * weight.first;
+    if (!is_concave) weight.second = ((along_error < least ? least : along_error) - weight.first) / e2;
   }
   return weight;
 }
 
-void accumulate(const EdgeSystem& edge, const detail::InformationView& information, const EdgeWeight& weight,
+void accumulate(const EdgeSystem& edge, const detail::InformationView& information, double weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error, double* dense) {
   const bool is_small =
       edge.rows <= dense::kMostEdgeRows && edge.cols > 0 && edge.cols <= dense::kMostEdgeColumns;
-  if (is_small && weight.second == 0) {
+  if (is_small) {
     accumulate_small(edge, information, weight, targets, values, gradient);
   } else if (dense != nullptr && dense_scratch(edge.rows, edge.cols) > 0) {
     accumulate_large(edge, information, weight, targets, values, gradient, weighted, weighted_error, dense);

@@ -13,7 +13,7 @@
 namespace boxplus {
 
 /// The weights of one edge. The weights replace the edge's Ω by first · Ω + second · Ωe eᵀΩ. `first` is
-/// max(0, ρ′). `second` is Triggs' correction 2ρ″, limited so that the result is still positive semidefinite.
+/// max(0, ρ′). `second` is Triggs' correction 2ρ″ (LinearizeOptions).
 struct EdgeWeight {
   double first = 1;
   double second = 0;
@@ -30,10 +30,10 @@ struct EdgeSystem {
   const double* jacobian;  ///< rows × cols, column-major
 };
 
-/// Adds the edge to H (`values`) and to the gradient, at the places that `targets` lists. `weighted`,
-/// `weighted_error` and `dense` are scratch memory for rows · cols, rows + cols and dense_scratch() values.
-/// If `dense` is null, adds large edges with scalar loops.
-void accumulate(const EdgeSystem& edge, const detail::InformationView& information, const EdgeWeight& weight,
+/// Adds the edge to H (`values`) and to the gradient, at the places that `targets` lists. `weight` is ρ′.
+/// `weighted`, `weighted_error` and `dense` are scratch memory for rows · cols, rows + cols and
+/// dense_scratch() values. If `dense` is null, adds large edges with scalar loops.
+void accumulate(const EdgeSystem& edge, const detail::InformationView& information, double weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error, double* dense = nullptr);
 

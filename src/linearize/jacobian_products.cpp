@@ -47,12 +47,13 @@ class Group {
   }
 
   /// t = ρ′Ω s.
-  void weigh(const TileWeights& weights, const double* s, double* t) const {
+  void weigh(const double* s, double* t) const {
+    const TileWeights& weights = edges_.weights;
     const auto kind = static_cast<detail::InformationKind>(weights.kind());
     const int rows = edges_.tile.rows;
     for (int lane = 0; lane < count_; ++lane) {
       const double* omega = weights.omegas()[first_ + lane];
-      const double weight = weights.weights() == nullptr ? 1 : weights.weights()[first_ + lane];
+      const double weight = weights.weight(static_cast<std::size_t>(first_ + lane));
       const auto entry = [&](int i, int j) { return detail::InformationView{kind, rows, omega}(i, j); };
       for (int r = 0; r < rows; ++r) {
         double sum = 0;
@@ -140,22 +141,22 @@ void for_each_group(const PlacedTile& edges, F&& f) {
 }  // namespace
 
 JacobianProducts::JacobianProducts(std::size_t values, std::size_t rows)
-    : weights_(rows), x_(values), y_(values), product_(rows), weighted_(rows) {}
+    : x_(values), y_(values), product_(rows), weighted_(rows) {}
 
 void JacobianProducts::subtract_coupling(const PlacedTile& edges, VectorLayout layout, double* x) {
   const detail::EdgeTile& tile = edges.tile;
-  weights_.compute(edges.pool, edges.edges, tile);
+  edges.weights.read_informations(edges.pool, edges.edges, tile.rows);
   const dense::SubtractCoupling kernel = dense::kernels().subtract_coupling_for(
       tile.rows, edges.dims.data(), static_cast<int>(edges.dims.size()));
   const double* const jacobian = kernel != nullptr ? jacobian_in_lanes(tile) : nullptr;
   if (jacobian != nullptr) {
-    return kernel({tile.count, jacobian, weights_.kind(), weights_.omegas(), weights_.weights(),
-                   edges.targets.data(), layout.first_kept, layout.copy, x});
+    return kernel({tile.count, jacobian, edges.weights.kind(), edges.weights.omegas(),
+                   edges.weights.weights(), edges.targets.data(), layout.first_kept, layout.copy, x});
   }
   for_each_group(edges, [&](const auto& group) {
     group.gather(x, layout, false, x_.data());
     group.multiply(x_.data(), product_.data());
-    group.weigh(weights_, product_.data(), weighted_.data());
+    group.weigh(product_.data(), weighted_.data());
     group.subtract_from_eliminated(weighted_.data(), layout, y_.data(), x);
   });
 }
@@ -171,12 +172,12 @@ const double* JacobianProducts::jacobian_in_lanes(const detail::EdgeTile& tile) 
 }
 
 double JacobianProducts::curvature(const PlacedTile& edges, VectorLayout layout, const double* d) {
-  weights_.compute(edges.pool, edges.edges, edges.tile);
+  edges.weights.read_informations(edges.pool, edges.edges, edges.tile.rows);
   double sum = 0;
   for_each_group(edges, [&](const auto& group) {
     group.gather(d, layout, true, x_.data());
     group.multiply(x_.data(), product_.data());
-    group.weigh(weights_, product_.data(), weighted_.data());
+    group.weigh(product_.data(), weighted_.data());
     sum += group.dot(product_.data(), weighted_.data());
   });
   return sum;

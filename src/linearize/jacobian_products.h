@@ -7,19 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/graph/edge_pool.h"
-#include "linearize/tile_weights.h"
+#include "linearize/placed_tile.h"
 
 namespace boxplus {
-
-/// A tile of edges. Each edge has the tangent sizes `dims` of its vertices.
-struct PlacedTile {
-  const detail::EdgePool& pool;
-  std::span<const std::uint32_t> edges;
-  const detail::EdgeTile& tile;
-  std::span<const int> dims;
-  std::span<const std::uint32_t* const> targets;  ///< of each edge (Scatter)
-};
 
 /// The entry of a vector that belongs to an entry of the gradient that a chunk computes. Entries of kept
 /// vertices begin at `first_kept`; the chunk's copies of them are `copy` entries behind.
@@ -41,7 +31,6 @@ class JacobianProducts {
  private:
   const double* jacobian_in_lanes(const detail::EdgeTile& tile);
 
-  TileWeights weights_;
   std::vector<double> x_, y_, product_, weighted_;  // of a few edges in lanes; x_ also of all Jacobians
 };
 

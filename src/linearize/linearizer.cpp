@@ -193,14 +193,14 @@ bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
                                const LinearizeOptions& options, PacedStop& pace) {
   const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
   vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
-  const bool by_tiles = !options.triggs_correction && fits_kernels(pool, scatter.edges[run.begin]) &&
+  const bool by_tiles = fits_kernels(pool, scatter.edges[run.begin]) &&
                         memory.adder.choose(pool.shape(scatter.edges[run.begin]).rows, memory.dims);
   const bool in_lanes = by_tiles && memory.adder.takes_lanes();
   return for_each_tile(scatter, run, memory, options, in_lanes, pace, [&](const PlacedTile& edges) {
     if (by_tiles) {
-      memory.adder.add(pool, edges.edges, edges.tile, edges.targets, values_.get(), gradient_.data());
+      memory.adder.add(edges, values_.get(), gradient_.data());
     } else {
-      add_one_by_one(pool, edges.edges, edges.tile, memory, options.triggs_correction);
+      add_one_by_one(edges, memory);
     }
   });
 }
@@ -224,22 +224,20 @@ bool Linearizer::for_each_tile(const Scatter& scatter, const Chunk::Run& run, Ti
     if (pace.is_raised_after(static_cast<std::int64_t>(edges.size()))) return false;
     tile.in_lanes = in_lanes;
     pool.linearize(edges, tile, options.numeric_jacobians);
+    memory.weights.weigh(pool, edges, tile, options.triggs_correction);
     if (!uniform) vertex_dims(*graph_, pool, edges[0], memory.dims);
-    f({pool, edges, tile, memory.dims, std::span(memory.targets).first(edges.size())});
+    f({pool, edges, tile, memory.dims, std::span(memory.targets).first(edges.size()), memory.weights});
   }
   return true;
 }
 
-void Linearizer::add_one_by_one(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
-                                const detail::EdgeTile& tile, TileMemory& memory, bool triggs_correction) {
-  for (std::size_t k = 0; k < edges.size(); ++k) {
+void Linearizer::add_one_by_one(const PlacedTile& edges, TileMemory& memory) {
+  const detail::EdgeTile& tile = edges.tile;
+  for (std::size_t k = 0; k < edges.edges.size(); ++k) {
     const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
     const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
-    const detail::InformationView omega = pool.information(edges[k], tile.rows);
-    const RobustKernel* kernel = pool.kernel(edges[k]);
-    const EdgeWeight weight =
-        kernel ? edge_weight(kernel, omega.squared_norm(error), triggs_correction) : EdgeWeight{};
-    accumulate({tile.rows, tile.cols, memory.dims, error, jacobian}, omega, weight, memory.targets[k],
+    accumulate({tile.rows, tile.cols, edges.dims, error, jacobian},
+               edges.pool.information(edges.edges[k], tile.rows), edges.weights.weight(k), edges.targets[k],
                values_.get(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data(),
                memory.dense.data());
   }

@@ -11,8 +11,7 @@ static_assert(Scatter::kNowhere == dense::kNoTarget && Scatter::kTransposed == d
 
 }  // namespace
 
-TileAdder::TileAdder(std::size_t values, std::size_t rows)
-    : jacobian_(values), error_(rows), weights_(rows) {}
+TileAdder::TileAdder(std::size_t values, std::size_t rows) : jacobian_(values), error_(rows) {}
 
 bool TileAdder::choose(int rows, std::span<const int> dims) {
   const dense::KernelTable& kernels = dense::kernels();
@@ -21,17 +20,16 @@ bool TileAdder::choose(int rows, std::span<const int> dims) {
   return add_edges_ != nullptr || add_unary_edges_ != nullptr;
 }
 
-void TileAdder::add(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
-                    const detail::EdgeTile& tile, std::span<const std::uint32_t* const> targets,
-                    double* values, double* gradient) {
-  weights_.compute(pool, edges, tile);
-  if (add_edges_ != nullptr) return add_in_lanes(tile, targets.data(), values, gradient);
-  add_unary_edges_({tile.count, tile.jacobian, tile.error, weights_.kind(), weights_.omegas(),
-                    weights_.weights(), targets.data(), values, gradient});
+void TileAdder::add(const PlacedTile& edges, double* values, double* gradient) {
+  const detail::EdgeTile& tile = edges.tile;
+  edges.weights.read_informations(edges.pool, edges.edges, tile.rows);
+  if (add_edges_ != nullptr) return add_in_lanes(edges, values, gradient);
+  add_unary_edges_({tile.count, tile.jacobian, tile.error, edges.weights.kind(), edges.weights.omegas(),
+                    edges.weights.weights(), edges.targets.data(), values, gradient});
 }
 
-void TileAdder::add_in_lanes(const detail::EdgeTile& tile, const std::uint32_t* const* targets,
-                             double* values, double* gradient) {
+void TileAdder::add_in_lanes(const PlacedTile& edges, double* values, double* gradient) {
+  const detail::EdgeTile& tile = edges.tile;
   const double *jacobian = tile.jacobian, *error = tile.error;
   if (!tile.in_lanes) {
     dense::kernels().to_lanes(jacobian, tile.rows * tile.cols, tile.count, jacobian_.data());
@@ -39,8 +37,8 @@ void TileAdder::add_in_lanes(const detail::EdgeTile& tile, const std::uint32_t* 
     jacobian = jacobian_.data();
     error = error_.data();
   }
-  add_edges_({tile.count, jacobian, error, weights_.kind(), weights_.omegas(), weights_.weights(), targets,
-              values, gradient});
+  add_edges_({tile.count, jacobian, error, edges.weights.kind(), edges.weights.omegas(),
+              edges.weights.weights(), edges.targets.data(), values, gradient});
 }
 
 }  // namespace boxplus

@@ -8,7 +8,7 @@
 
 #include "boxplus/graph/edge_pool.h"
 #include "kernels/kernel_table.h"
-#include "linearize/tile_weights.h"
+#include "linearize/placed_tile.h"
 
 namespace boxplus {
 
@@ -24,17 +24,14 @@ class TileAdder {
   /// Whether the chosen kernel also accepts tiles with EdgeTile::in_lanes.
   bool takes_lanes() const { return add_edges_ != nullptr; }
   /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, in the order of its edges, at the places in `targets` (see Scatter).
-  void add(const detail::EdgePool& pool, std::span<const std::uint32_t> edges, const detail::EdgeTile& tile,
-           std::span<const std::uint32_t* const> targets, double* values, double* gradient);
+  void add(const PlacedTile& edges, double* values, double* gradient);
 
  private:
-  void add_in_lanes(const detail::EdgeTile& tile, const std::uint32_t* const* targets, double* values,
-                    double* gradient);
+  void add_in_lanes(const PlacedTile& edges, double* values, double* gradient);
 
   dense::AddEdges add_edges_ = nullptr;             // the kernel for edges in lanes
   dense::AddUnaryEdges add_unary_edges_ = nullptr;  // the kernel, if the edges are unary
   std::vector<double> jacobian_, error_;            // copies of a tile's Jacobians and errors in lanes
-  TileWeights weights_;
 };
 
 }  // namespace boxplus

@@ -21,6 +21,7 @@ struct TileMemory {
         weighted(values),
         weighted_error(values + rows),
         dense(dense_values),
+        weights(rows),
         adder(values, rows),
         products(values, rows) {
     edges.resize(detail::EdgeTile::kCapacity);
@@ -46,6 +47,7 @@ struct TileMemory {
   std::vector<std::uint32_t> edges;           // the gathered edges
   std::vector<const std::uint32_t*> targets;  // the targets of each gathered edge
   std::vector<int> dims;
+  TileWeights weights;  // of the last tile
   TileAdder adder;
   JacobianProducts products;
 };

@@ -14,10 +14,9 @@ Precision resolved_precision(const Options& options) {
   return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
 }
 
-/// Whether the options need all columns of H. Jacobians that are computed again cost too much if they are
-/// numeric, and products with them do not include the correction of Triggs.
+/// Whether the options need all columns of H. Numeric Jacobians cost too much to be computed again.
 bool needs_all_columns(const Options& options) {
-  return options.numeric_jacobians || options.triggs_correction;
+  return options.numeric_jacobians;
 }
 
 }  // namespace

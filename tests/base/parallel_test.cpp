@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -24,10 +25,17 @@ namespace {
 using testing::Each;
 using testing::ElementsAre;
 
-std::vector<std::thread::id> threads_of_tasks(int count) {
+/// The thread of each task. If `is_patient` is true, the first task ends only when all others have begun (or
+/// after ten seconds), so that the caller takes none from the workers.
+std::vector<std::thread::id> threads_of_tasks(int count, bool is_patient = true) {
   std::vector<std::thread::id> ids(static_cast<std::size_t>(count));
-  detail::parallel_tasks(count,
-                         [&](int i) { ids[static_cast<std::size_t>(i)] = std::this_thread::get_id(); });
+  std::atomic<int> begun{0};
+  detail::parallel_tasks(count, [&](int i) {
+    ids[static_cast<std::size_t>(i)] = std::this_thread::get_id();
+    ++begun;
+    for (int wait = 0; is_patient && i == 0 && begun < count && wait < 10000; ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  });
   return ids;
 }
 
@@ -77,6 +85,17 @@ TEST(ParallelTasks, RunOnTheSameThreadsInEveryCall) {
   const auto four = threads_of_tasks(4);
   EXPECT_TRUE(std::equal(four.begin(), four.end(), six.begin()));
   EXPECT_EQ(threads_of_tasks(6), six);
+}
+
+TEST(ParallelTasks, ThatNoWorkerHasBegunRunOnTheCallingThread) {
+  int taken = 0;
+  for (int call = 0; call < 50; ++call) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that the workers sleep
+    const auto ids = threads_of_tasks(4, false);
+    taken += static_cast<int>(std::count(ids.begin() + 1, ids.end(), ids[0]));
+  }
+  EXPECT_GT(taken, 0);
+  EXPECT_EQ(std::ranges::count(threads_of_tasks(4), std::this_thread::get_id()), 1);
 }
 
 TEST(ParallelTasks, HaveAllFinishedWhenTheCallReturns) {
@@ -200,7 +219,7 @@ TEST(ParallelTasksDeathTest, RunOnTheCallingThreadIfNoOtherThreadCanBeCreated) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto run_without_threads = [] {
     forbid_more_threads();
-    const auto ids = threads_of_tasks(4);
+    const auto ids = threads_of_tasks(4, false);
     const bool all_here = std::set(ids.begin(), ids.end()) == std::set{std::this_thread::get_id()};
     std::exit(all_here && index_thrown(4, 2) == 2 ? 0 : 1);
   };

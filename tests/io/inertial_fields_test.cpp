@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/io/inertial_fields.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
@@ -38,6 +38,19 @@ TEST(InertialFields, ListTheMotionAndItsDependenceOnTheBiases) {
   EXPECT_EQ(edge.motion.bias_jacobian(0, 1), 0.125);
   EXPECT_EQ(edge.motion.bias_jacobian(1, 1), -0.5) << "by rows: field 7 of the matrix";
   EXPECT_EQ(edge.gravity, Vector3(0, 0, -9.8));
+}
+
+TEST(InertialFields, HaveAPositiveDuration) {
+  const std::string text = json_registry().example("EDGE_INERTIAL");
+  const std::string before = " 0.5 0.25 -1 ";  // the change of the velocity
+  const std::size_t duration = text.find(before + "0.5 ");
+  ASSERT_NE(duration, std::string::npos);
+  for (const char* wrong : {"0", "-0.5"}) {
+    std::string changed = text;
+    changed.replace(duration + before.size(), 3, wrong);
+    EXPECT_THAT(complaint_about(changed),
+                testing::HasSubstr(std::string("expected a positive duration, got ") + wrong));
+  }
 }
 
 TEST(InertialFields, KeepTheChi2OfADriveInJson) {

@@ -51,7 +51,7 @@ struct DenseEdge {
 };
 
 /// The Ω of an edge with the weight of its kernel: ρ′Ω. With Triggs' correction, it is ρ′Ω + 2ρ″ Ωe eᵀΩ, and
-/// ρ″ is limited so that the curvature along e is not negative.
+/// the curvature along e is at least 1e-4 of that of ρ′Ω. There is no correction where ρ is concave along e.
 inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustKernel* kernel, bool triggs) {
   if (kernel == nullptr) return edge.omega;
   const Eigen::VectorXd omega_e = edge.omega * edge.error;
@@ -59,7 +59,9 @@ inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustK
   const RobustKernel::Rho rho = (*kernel)(e2);
   const double first = std::max(0.0, rho.first);
   Eigen::MatrixXd weighted = first * edge.omega;
-  if (triggs && e2 > 0) weighted += std::max(2 * rho.second, -first / e2) * omega_e * omega_e.transpose();
+  const double along_error = first + 2 * rho.second * e2;
+  if (triggs && e2 > 0 && along_error > -1e-9 * first)
+    weighted += (std::max(along_error, 1e-4 * first) - first) / e2 * omega_e * omega_e.transpose();
   return weighted;
 }
 

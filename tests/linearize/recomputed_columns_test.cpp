@@ -98,9 +98,9 @@ class RecomputedColumns : public testing::TestWithParam<int> {
   Eigen::VectorXd a_vector() const { return Eigen::VectorXd::LinSpaced(stored_.scalars(), -1, 2); }
 
   /// Compares subtract_coupling() with a product of H.
-  void expect_product_of_coupling() const {
+  void expect_product_of_coupling(const LinearizeOptions& options) const {
     Linearizer all(graph_, stored_), batch(graph_, recomputed_);
-    all.linearize({});
+    all.linearize(options);
     const Eigen::MatrixXd hessian = dense_matrix(stored_.structure, all.values());
     const Eigen::Index eliminated = stored_.structure.offset[stored_.eliminated_blocks],
                        kept = hessian.rows() - eliminated;
@@ -108,7 +108,7 @@ class RecomputedColumns : public testing::TestWithParam<int> {
     expected.head(eliminated) -= hessian.bottomLeftCorner(kept, eliminated).transpose() * expected.tail(kept);
     std::atomic<std::uint32_t> columns = 0;
     const int groups = static_cast<int>(recomputed_.chunks.size());
-    batch.subtract_coupling({}, groups, actual.data(), [&](const Linearizer::Batch& b) {
+    batch.subtract_coupling(options, groups, actual.data(), [&](const Linearizer::Batch& b) {
       EXPECT_EQ(b.values, nullptr);
       columns += b.last - b.first;
     });
@@ -154,17 +154,20 @@ TEST_P(RecomputedColumns, GiveTheProductOfTheCouplingWithAVectorByEveryKernel) {
   const dense::KernelTable& before = dense::kernels();
   for (const dense::KernelTable* table : dense::usable_kernels()) {
     dense::use_kernels(*table);
-    expect_product_of_coupling();
+    for (const bool triggs : {false, true}) expect_product_of_coupling({.triggs_correction = triggs});
   }
   dense::use_kernels(before);
 }
 
 TEST_P(RecomputedColumns, GiveTheCurvatureAlongAVector) {
   Linearizer all(graph_, stored_), batch(graph_, recomputed_);
-  all.linearize({});
   const Eigen::VectorXd d = a_vector();
-  const double expected = d.dot(dense_matrix(stored_.structure, all.values()) * d);
-  EXPECT_NEAR(batch.curvature({}, d.data()), expected, 1e-12 * expected);
+  for (const bool triggs : {false, true}) {
+    const LinearizeOptions options{.triggs_correction = triggs};
+    all.linearize(options);
+    const double expected = d.dot(dense_matrix(stored_.structure, all.values()) * d);
+    EXPECT_NEAR(batch.curvature(options, d.data()), expected, 1e-12 * expected);
+  }
 }
 
 TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
@@ -180,6 +183,11 @@ TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, RecomputedColumns, testing::Values(1, 2, 3),
                          ::testing::PrintToStringParamName());
+
+TEST(TriggsCorrection, OfEdgesInLanesEqualsTheDenseReference) {
+  const Graph graph = varied_bundle(30);
+  expect_equals_reference(graph, make_plan(graph, {}), {.triggs_correction = true});
+}
 
 TEST(ColumnStorage, IsAllWithFixedDirectionsOfEliminatedVerticesAndWithoutElimination) {
   Graph graph = varied_bundle(20);

@@ -355,9 +355,9 @@ class CarelessAlgorithm final : public Algorithm {
 
 TEST(CarelessAlgorithms, AreRefusedWhateverIsStored) {
   using enum CarelessAlgorithm::Mistake;
-  for (const bool triggs_correction : {true, false}) {  // with it, all columns are stored
+  for (const bool numeric_jacobians : {true, false}) {  // with them, all columns are stored
     for (const int iterations : {1, 10}) {
-      const Options options{.max_iterations = iterations, .triggs_correction = triggs_correction};
+      const Options options{.max_iterations = iterations, .numeric_jacobians = numeric_jacobians};
       Graph graph = large_bundle();
       CarelessAlgorithm solves(kSolvesAfterAccept), forgets(kForgetsToAccept), rejects(kRejects);
       EXPECT_THAT([&] { std::ignore = Optimizer(graph, options).run(solves); },

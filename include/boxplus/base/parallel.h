@@ -11,7 +11,8 @@ namespace boxplus::detail {
 int hardware_threads() noexcept;
 
 /// Runs task(0) … task(count − 1), task i on worker i (worker 0 is the caller), and returns when all tasks
-/// have ended.
+/// have ended. When the caller has run task 0, it also runs the tasks that no worker has begun. So a machine
+/// whose processors are busy with other programs delays only the tasks that have begun.
 ///
 /// The whole process shares the workers. They start on first use, spin for 50 µs after their last task, then
 /// sleep. A call allocates nothing if `count` workers exist. Calls from several threads run one after the

@@ -22,8 +22,9 @@ struct VectorLayout;
 struct LinearizeOptions {
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for
-  /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J, bounded so that each edge's term stays positive
-  /// semi-definite.
+  /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J. The curvature along e is at least 1e-4 of that of ρ′Ω. Where
+  /// ρ is concave along e, there is no such term, because no term could describe ρ there, and still be
+  /// positive.
   bool triggs_correction = false;
 };
 
@@ -61,7 +62,7 @@ class Linearizer {
   /// parts x_e and x_k of x that belong to eliminated and to kept vertices. Computes Jacobians instead of
   /// reading H. Calls after_batch() when the part of x of each batch is complete; values are null.
   void subtract_coupling(const LinearizeOptions& options, int slices, double* x, AfterBatch after_batch);
-  /// dᵀHd. Computes Jacobians instead of reading H. Must not be called with options.triggs_correction.
+  /// dᵀHd. Computes Jacobians instead of reading H.
   double curvature(const LinearizeOptions& options, const double* d);
   /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not finite.
   double chi2();
@@ -102,8 +103,7 @@ class Linearizer {
                     const LinearizeOptions& options, PacedStop& pace,
                     detail::FunctionRef<void(const PlacedTile&)> f);
   VectorLayout layout_of(const Chunk& chunk) const;
-  void add_one_by_one(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
-                      const detail::EdgeTile& tile, TileMemory& memory, bool triggs_correction);
+  void add_one_by_one(const PlacedTile& edges, TileMemory& memory);
   void evaluate_share(int worker, int workers);
   void allocate_values(std::size_t room);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/toro/toro_format.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <tuple>
 
 #include "boxplus/base/error.h"
 
@@ -58,7 +60,9 @@ TEST(ToroFormat, LeavesOutParametersThatNoEdgeUses) {
 
 TEST(ToroFormat, RefusesElementsThatItCannotRepresent) {
   const GraphFile points = parse_graph("VERTEX_XY 0 1 2\n", "g");
-  EXPECT_THROW(format_graph(points, {.format = "TORO"}), InvalidArgument);
+  EXPECT_THAT(
+      [&] { std::ignore = format_graph(points, {.format = "TORO"}); },
+      testing::ThrowsMessage<InvalidArgument>(testing::HasSubstr("registered for them among EDGE2, ")));
   const GraphFile offset = parse_graph(default_registry().example("EDGE_SE2_OFFSET"), "g");
   EXPECT_THROW(format_graph(offset, {.format = "TORO"}), InvalidArgument);
   EXPECT_EQ(losses("g.graph", parse_graph(kPlane, "g")), std::vector<std::string>{});
