@@ -45,16 +45,16 @@ FreeMotions all_rigid_motions(int dimension) {
 }
 
 FreeMotions free_motions_of(const SimilarityFreedom& freedom) {
-  const int translations = freedom.motions.translations(), rotations = freedom.motions.rotations();
   FreeMotions motions;
   motions.dimension = freedom.motions.dimension;
   motions.count = freedom.directions();
-  motions.scale = freedom.has_scale();
-  const MatrixXd still = kernel_of(freedom.basis.bottomRows(rotations + 1), kZero);
-  motions.along = axes_of(range_of(freedom.basis.topRows(translations) * still));
-  const MatrixXd rigid = kernel_of(freedom.basis.bottomRows(1), kZero);
-  const MatrixXd turns = range_of(freedom.basis.middleRows(translations, rotations) * rigid);
-  if (rotations == 3) {
+  motions.scale = freedom.scale().norm() > kZero;
+  // Translations are the motions that neither rotate nor scale.
+  MatrixXd others(freedom.motions.rotations() + 1, freedom.directions());
+  others << freedom.rotations(), freedom.scale();
+  motions.along = axes_of(range_of(freedom.translations() * kernel_of(others, kZero)));
+  const MatrixXd turns = range_of(freedom.rotations());
+  if (motions.dimension == 3) {
     motions.about = axes_of(turns);
   } else if (turns.cols() > 0) {
     motions.about = {{0, 0, 1}};

@@ -13,7 +13,7 @@ namespace boxplus {
 /// directions contains as many coordinate axes as it has dimensions, it is listed by these axes.
 struct FreeMotions {
   using Axis = std::array<double, 3>;  ///< a unit vector
-  int dimension = 0;                   ///< 0 if the vertices have no frame; then `count` directions are free
+  int dimension = 0;                   ///< of the world: 2 or 3
   std::vector<Axis> along = {};        ///< the free translations; orthogonal
   std::vector<Axis> about = {};        ///< the axes of the free rotations; orthogonal, (0, 0, 1) in the plane
   bool scale = false;

@@ -24,8 +24,7 @@ struct GaugeComponent {
   /// The motions that change no error while nothing is held: at most one entry for each dimension of the
   /// world.
   std::vector<FreeMotions> free;
-  /// The vertices that take part in none of these motions, if there are any motions.
-  std::vector<VertexSlot> still;
+  std::vector<VertexSlot> moved;  ///< the vertices that take part in these motions
 };
 
 struct Gauge {

@@ -2,11 +2,12 @@
 // The motion of vertices when a small similarity moves the world: translation, rotation, scale.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <vector>
 
-#include "boxplus/graph/vertex_pool.h"
+#include "gauge/edge_ends.h"
 
 namespace boxplus {
 
@@ -17,32 +18,38 @@ enum class WorldRole : std::uint8_t {
   kInverse  ///< T_body_world, such as the pose of a camera that maps world points to its own frame
 };
 
+/// One direction of a vertex without a frame: a focal length, or one component of a bias.
+struct OwnDirection {
+  VertexSlot vertex;
+  int component;
+};
+
 /// The small similarities of a world of 2 or 3 dimensions: translations along each axis, then rotations about
 /// axes through `center`, then scaling about `center`. Translations are in units of `length`, so that all
-/// motions move a vertex at distance `length` about equally far.
+/// motions move a vertex at distance `length` about equally far. The last motions are changes of the
+/// directions `own`.
 struct WorldMotions {
-  static constexpr int kMost = 7;
-
   int dimension = 3;
-  std::array<double, 3> center{};
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double length = 1;
+  std::vector<OwnDirection> own;
 
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
+  int in_world() const { return translations() + rotations() + 1; }
+  int count() const { return in_world() + static_cast<int>(own.size()); }
   /// If a motion of unit size moves a vertex, it moves the vertex by at least about this many meters or
   /// radians.
   double unit() const { return std::min(1.0, length); }
-  int count() const { return translations() + rotations() + 1; }
 };
 
 /// Gets the frame of a vertex in the world: T_world_body or a point. Returns false if the vertex has no frame
 /// of this dimension.
-bool world_frame(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension,
-                 detail::Frame& out);
+bool world_frame(const Graph& graph, VertexSlot vertex, WorldRole role, int dimension, detail::Frame& out);
 
-/// Writes the derivative of the vertex's tangent with respect to each motion: tangent_dim × count(),
-/// column-major. Writes zeros for WorldRole::kNone and for vertices without a frame of this dimension.
-void motion_tangents(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role,
-                     const WorldMotions& motions, double* out);
+/// The derivative of the vertex's tangent with respect to each motion: tangent_dim × count(). Similarities of
+/// the world do not change vertices with WorldRole::kNone, or without a frame of this dimension.
+Eigen::MatrixXd motion_tangents(const Graph& graph, VertexSlot vertex, WorldRole role,
+                                const WorldMotions& motions);
 
 }  // namespace boxplus

@@ -52,14 +52,8 @@ std::string sentence(Place place, const std::string& vertices, const char* are, 
 
 /// The vertices that the free motions of a component move, sorted by id.
 std::vector<VertexRef> moved_vertices(const Evidence& evidence, const GaugeComponent& component) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> still;
-  for (const VertexSlot& v : component.still) still.emplace_back(v.pool, v.slot);
-  std::sort(still.begin(), still.end());
   std::vector<VertexRef> result;
-  for (const VertexSlot& v : component.vertices) {
-    if (!std::binary_search(still.begin(), still.end(), std::pair(v.pool, v.slot)))
-      result.push_back(evidence.vertex_ref(v.pool, v.slot));
-  }
+  for (const VertexSlot& v : component.moved) result.push_back(evidence.vertex_ref(v.pool, v.slot));
   sort_by_id(evidence.graph, result);
   return result;
 }

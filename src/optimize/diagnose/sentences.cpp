@@ -103,7 +103,6 @@ std::string edges_text(const Graph& graph, std::span<const EdgeRef> edges) {
 }
 
 std::string motions_text(const FreeMotions& motions) {
-  if (motions.dimension == 0) return fmt::format("in all {} directions", motions.count);
   std::vector<std::string> named, others;
   const auto add = [&](const FreeMotions::Axis& axis, const char* const* names, const char* preposition) {
     const int known = axis_of(axis);

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each part of the search for gauge freedom is for.
+#include "gauge/gauge.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "boxplus/boxplus.h"
+#include "plan/active_set.h"
+
+namespace boxplus {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Gauge gauge_of(const Graph& graph, GaugePolicy policy = GaugePolicy::kFixFirst, const StopToken& stop = {}) {
+  return find_active_set(graph, {.gauge = policy, .stop = stop}).gauge;
+}
+
+std::vector<Id> held_ids(const Gauge& gauge) {
+  std::vector<Id> ids;
+  for (const detail::GaugeVertex& held : gauge.held) ids.push_back(held.id);
+  return ids;
+}
+
+std::vector<std::string> names_of(const Gauge& gauge) {
+  std::vector<std::string> names;
+  for (const detail::GaugeFreedom& freedom : gauge.freedoms) names.emplace_back(to_string(freedom));
+  return names;
+}
+
+Vector2 place(int k) {
+  return {std::cos(2 * k) + 0.3 * k, std::sin(3 * k)};
+}
+SE2 pose(int k) {
+  return {place(k)[0], place(k)[1], 0.4 * k};
+}
+
+/// The motion between two poses, measured by an edge of no ready-made type.
+struct Motion {
+  template <class A>
+  auto error(const A& a, const A& b) const {
+    return a.inverse_times(b).vector();
+  }
+};
+
+std::vector<VertexHandle<SE2>> add_chain(Graph& graph, int count) {
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < count; ++k) {
+    poses.push_back(graph.add_vertex(pose(k)));
+    if (k > 0) graph.add_edge(Motion{}, poses[poses.size() - 2], poses.back());
+  }
+  return poses;
+}
+
+TEST(Gauge, OfAChainOfAnyEdgesIsThatOfItsFirstPose) {
+  Graph graph;
+  add_chain(graph, 5);
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(held_ids(gauge), ElementsAre(0));
+  EXPECT_THAT(gauge.freedoms, IsEmpty());
+  EXPECT_THAT(gauge.loose, IsEmpty());
+}
+
+TEST(Gauge, IsNotFreeIfAPoseIsFixedThatOnlyOneOfManyEdgesTouches) {
+  Graph graph;
+  const auto poses = add_chain(graph, 4000);
+  for (const std::size_t fixed : {1u, 1003u, 2222u}) {
+    const auto anchor = graph.add_vertex(SE2(1, 2, 3));
+    graph.fix(anchor);
+    const EdgeRef edge = graph.add_edge(Motion{}, anchor, poses[fixed]);
+    EXPECT_THAT(gauge_of(graph).freedoms, IsEmpty());
+    graph.remove(edge);
+  }
+}
+
+TEST(Gauge, IsNotFreeIfADirectionIsFixedOfAPoseThatOnlyTwoOfManyEdgesTouch) {
+  Graph graph;
+  const auto poses = add_chain(graph, 4000);
+  graph.fix_directions(poses[1003], {0, 1});
+  EXPECT_THAT(names_of(gauge_of(graph)), ElementsAre("rotation"));
+  graph.fix_directions(poses[2222], {0});
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(gauge.freedoms, IsEmpty());
+  EXPECT_TRUE(gauge.components[0].anchored);
+}
+
+/// Measures the motion from a to b or, if `anchored`, the position of b.
+struct MotionOrPosition {
+  bool anchored;
+  template <class P>
+  P error(const P& a, const P& b) const {
+    return anchored ? b : P(b - a);
+  }
+};
+
+TEST(Gauge, IsNoErrorIfOneOfManyEdgesOfATypeMeasuresIt) {
+  Graph graph;
+  std::vector<VertexHandle<Vector2>> points;
+  for (int k = 0; k < 4000; ++k) points.push_back(graph.add_vertex(place(k)));
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    graph.add_edge(MotionOrPosition{k == 1234}, points[k], points[k + 1]);
+  EXPECT_THAT(gauge_of(graph, GaugePolicy::kError).freedoms, IsEmpty());
+  graph.fix_directions(points[0], {0});
+  EXPECT_THAT(gauge_of(graph, GaugePolicy::kError).freedoms, IsEmpty());
+}
+
+TEST(Gauge, IsFoundInWorldsOfAnySize) {
+  for (const double size : {5e-6, 1.0, 1e7}) {
+    Graph graph;
+    std::vector<VertexHandle<SE2>> poses;
+    for (int k = 0; k < 5; ++k)
+      poses.push_back(graph.add_vertex(SE2(size * place(k)[0], size * place(k)[1], 0.4 * k)));
+    for (std::size_t k = 1; k < poses.size(); ++k) graph.add_edge(Motion{}, poses[k - 1], poses[k]);
+    EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0)) << size;
+    graph.add_edge([](const auto& p) { return p.translation().eval(); }, poses[2]);
+    EXPECT_THAT(names_of(gauge_of(graph)), ElementsAre("rotation")) << size;
+    graph.add_edge([](const auto& p) { return p.translation()[0]; }, poses[4]);
+    EXPECT_THAT(gauge_of(graph).freedoms, IsEmpty()) << size;
+  }
+}
+
+/// The motion between two poses, without a template, so that its Jacobians are numeric.
+struct NumericMotion {
+  Vector3 error(const SE2& a, const SE2& b) const { return a.inverse_times(b).vector(); }
+};
+
+TEST(Gauge, IsFoundFromNumericJacobiansFarFromTheOrigin) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < 5; ++k)
+    poses.push_back(graph.add_vertex(SE2(1e5 + place(k)[0], 1e5 + place(k)[1], 0.4 * k)));
+  for (std::size_t k = 1; k < poses.size(); ++k) graph.add_edge(NumericMotion{}, poses[k - 1], poses[k]);
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0));
+}
+
+TEST(Gauge, IsFixedByEdgesWhoseErrorsHaveATinyUnit) {
+  Graph graph;
+  const auto poses = add_chain(graph, 5);
+  graph.add_edge([](const auto& p) { return (1e-9 * p.vector()).eval(); }, poses[2]);
+  EXPECT_THAT(gauge_of(graph).freedoms, IsEmpty());
+}
+
+/// The motion between two poses in space, measured with a bias of the first N numbers.
+template <int N>
+std::vector<Id> held_with_bias_of() {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  for (int k = 0; k < 5; ++k) {
+    const double turn[6] = {place(k)[0], place(k)[1], 0.2 * k * k, 0.1 * k, 0.2, 0};
+    poses.push_back(graph.add_vertex(Manifold<SE3>::oplus(SE3(), turn)));
+  }
+  const auto bias = graph.add_vertex(Vector<double, N>(Vector<double, N>::Constant(0.1)));
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    graph.add_edge(
+        [](const auto& a, const auto& b, const auto& c) {
+          auto error = a.inverse_times(b).minimal().eval();
+          error.template head<N>() += c;
+          return error;
+        },
+        poses[k - 1], poses[k], bias);
+  }
+  return held_ids(gauge_of(graph));
+}
+
+TEST(Gauge, OfPosesInSpaceIsNotHiddenByABiasThatLooksLikeAPoint) {
+  EXPECT_THAT(held_with_bias_of<2>(), ElementsAre(0));
+  EXPECT_THAT(held_with_bias_of<3>(), ElementsAre(0));
+}
+
+TEST(Gauge, OfAPlaneAndOfSpaceThatShareANumberIsHeldInBoth) {
+  Graph graph;
+  const auto offset = graph.add_vertex(1.0);
+  std::vector<VertexHandle<SE2>> plane;
+  std::vector<VertexHandle<SE3>> space;
+  for (int k = 0; k < 3; ++k) {
+    plane.push_back(graph.add_vertex(pose(k), 10 + k));
+    space.push_back(graph.add_vertex(SE3(Vector3(k, k * k, 1), SO3()), 20 + k));
+  }
+  for (std::size_t k = 1; k < 3; ++k) {
+    graph.add_edge(
+        [](const auto& a, const auto& b, const auto& c) { return (c * a.inverse_times(b).vector()).eval(); },
+        plane[k - 1], plane[k], offset);
+    graph.add_edge(
+        [](const auto& a, const auto& b, const auto& c) { return (c * a.inverse_times(b).minimal()).eval(); },
+        space[k - 1], space[k], offset);
+  }
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(held_ids(gauge), ElementsAre(10, 20));
+  ASSERT_THAT(gauge.components, SizeIs(1));
+  EXPECT_THAT(gauge.components[0].free, SizeIs(2));
+  EXPECT_THAT(gauge.components[0].moved, SizeIs(6));
+}
+
+/// Poses T_body_world that see points through a mount T_sensor_body.
+struct Rig {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> bodies;
+
+  Rig() {
+    const auto mount = graph.add_vertex(SE2(0.4, 0.1, 0.2), 0);
+    for (int k = 0; k < 4; ++k) bodies.push_back(graph.add_vertex(pose(k)));
+    for (int k = 0; k < 6; ++k) {
+      const auto point = graph.add_vertex(Vector2(2 + std::sin(2 * k), 1 + std::cos(3 * k)));
+      for (const auto& body : bodies) {
+        graph.add_edge([](const auto& m, const auto& p, const auto& l) { return (m * (p * l)).eval(); },
+                       mount, body, point);
+      }
+    }
+    graph.add_edge([](const auto& m) { return m.vector(); }, mount);
+  }
+};
+
+TEST(Gauge, OfARigTellsTheRolesOfItsPosesItsMountAndItsPoints) {
+  Rig rig;
+  const Gauge gauge = gauge_of(rig.graph);
+  EXPECT_THAT(held_ids(gauge), IsEmpty());  // the prior of the mount anchors the component
+  EXPECT_THAT(names_of(gauge), ElementsAre("translation and rotation"));
+  EXPECT_THAT(gauge.held_directions, SizeIs(3));
+  EXPECT_THAT(gauge.components[0].vertices, SizeIs(11));
+  EXPECT_THAT(gauge.components[0].moved, SizeIs(10));  // all but the mount
+}
+
+/// A sighting of a point from a pose T_camera_world.
+template <int kType>
+struct Sighting {
+  template <class P, class L>
+  auto error(const P& p, const L& l) const {
+    return (p * l).eval();
+  }
+};
+
+TEST(Gauge, OfCamerasWithManyTypesOfEdgesNeedsOneRoleForAllCameras) {
+  // Camera k and camera k + 1 share a type of edges.
+  Graph graph;
+  std::vector<VertexHandle<SE2>> cameras;
+  for (int k = 0; k < 6; ++k) cameras.push_back(graph.add_vertex(pose(k)));
+  const auto add = [&]<int kType>(std::integral_constant<int, kType>) {
+    for (int k = 0; k < 3; ++k) {
+      const auto point = graph.add_vertex(Vector2(place(k) + Vector2(kType, 1)));
+      graph.add_edge(Sighting<kType>{}, cameras[kType], point);
+      graph.add_edge(Sighting<kType>{}, cameras[kType + 1], point);
+    }
+  };
+  [&]<int... kType>(std::integer_sequence<int, kType...>) {
+    (add(std::integral_constant<int, kType>{}), ...);
+  }
+  (std::make_integer_sequence<int, 5>{});
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0));
+}
+
+/// The distances between the positions of any number of cameras T_camera_world, and their headings.
+struct Formation {
+  int count;
+  int error_dimension() const { return 3 * (count - 1); }
+  template <class S>
+  Eigen::Matrix<S, Eigen::Dynamic, 1> error(std::span<const BasicSE2<S>> cameras) const {
+    Eigen::Matrix<S, Eigen::Dynamic, 1> error(error_dimension());
+    for (int k = 1; k < count; ++k)
+      error.template segment<3>(3 * (k - 1)) =
+          (cameras[0] * cameras[static_cast<std::size_t>(k)].inverse()).vector();
+    return error;
+  }
+};
+
+TEST(Gauge, OfCamerasInOneEdgeOfRunTimeSizeNeedsOneRoleForAllPositions) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> cameras;
+  for (int k = 0; k < 6; ++k) cameras.push_back(graph.add_vertex(pose(k)));
+  graph.add_edge(Formation{6}, cameras);
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0));
+}
+
+std::atomic<int> evaluations{0};
+
+template <int kType>
+struct CountedMotion {
+  Vector3 error(const SE2& a, const SE2& b) const {
+    ++evaluations;
+    return a.inverse_times(b).vector();
+  }
+};
+
+TEST(Gauge, OfManyKindsOfPosesIsFoundWithoutTryingAllCombinationsOfRoles) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(pose(0))};
+  const auto add = [&]<int kType>(std::integral_constant<int, kType>) {
+    poses.push_back(graph.add_vertex(pose(kType + 1)));
+    graph.add_edge(CountedMotion<kType>{}, poses[kType], poses[kType + 1]);
+  };
+  [&]<int... kType>(std::integer_sequence<int, kType...>) {
+    (add(std::integral_constant<int, kType>{}), ...);
+  }
+  (std::make_integer_sequence<int, 8>{});
+  evaluations = 0;
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0));
+  EXPECT_LT(evaluations, 10000);
+}
+
+/// Cameras see points with intrinsics f of a unit u: the error is f₀ u p⁻¹ l. One camera is fixed.
+template <class Handle>
+void add_cameras(Graph& graph, Handle f, double unit) {
+  std::vector<VertexHandle<Vector2>> points;
+  for (int k = 0; k < 6; ++k)
+    points.push_back(graph.add_vertex(Vector2(2 + std::sin(2 * k), 1 + std::cos(3 * k))));
+  for (int k = 0; k < 4; ++k) {
+    const auto camera = graph.add_vertex(pose(k));
+    if (k == 0) graph.fix(camera);
+    for (const auto& point : points) {
+      graph.add_edge([unit](const auto& p, const auto& l,
+                            const auto& c) { return (c[0] * unit * p.inverse_times(l)).eval(); },
+                     camera, point, f);
+    }
+  }
+}
+
+TEST(Gauge, OfAScaleThatIsFreeTogetherWithAFocalLengthIsFoundInAnyUnit) {
+  for (const double unit : {1.0, 1e-8}) {
+    Graph graph;
+    const auto f = graph.add_vertex(Vector<double, 4>(1.2 / unit, 0, 0, 0));
+    add_cameras(graph, f, unit);
+    EXPECT_THAT(names_of(gauge_of(graph)), ElementsAre("scale")) << unit;
+    graph.fix_directions(f, {0});
+    EXPECT_THAT(names_of(gauge_of(graph)), IsEmpty()) << unit;
+  }
+}
+
+TEST(Gauge, OfAScaleIsNotFreeIfTheFocalLengthIsAFixedDirectionOfAParameter) {
+  Graph graph;
+  const auto f = graph.add_parameter(Vector<double, 4>(1.2, 0, 0, 0));
+  graph.unfix(f);
+  add_cameras(graph, f, 1);
+  EXPECT_THAT(names_of(gauge_of(graph)), ElementsAre("scale"));
+  graph.fix_directions(f, {0});
+  EXPECT_THAT(names_of(gauge_of(graph)), IsEmpty());
+}
+
+TEST(Gauge, OfATranslationThatIsFreeTogetherWithAnOffsetHoldsTheOffset) {
+  // Positions are measured with an unknown offset in x.
+  Graph graph;
+  const auto poses = add_chain(graph, 5);
+  const auto offset = graph.add_vertex(0.3, 7);
+  for (int k = 0; k < 5; ++k) {
+    graph.add_edge(
+        [z = place(k)](const auto& x, const auto& o) {
+          auto error = (x.translation() - z).eval();
+          error[0] += o;
+          return error;
+        },
+        poses[static_cast<std::size_t>(k)], offset);
+  }
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(7));
+  const Report report = optimize(graph, {.algorithm = AlgorithmKind::kGaussNewton, .max_iterations = 3});
+  EXPECT_NE(report.status, Report::Status::kFailed) << report;
+  EXPECT_EQ(report.regularized_steps, 0);
+}
+
+TEST(Gauge, HoldsNoDirectionOfAnEliminatedVertex) {
+  // After one camera is held, the scale is free.
+  Graph graph;
+  std::vector<VertexHandle<SE2>> cameras;
+  for (int k = 0; k < 4; ++k) cameras.push_back(graph.add_vertex(pose(k)));
+  for (int k = 0; k < 6; ++k) {
+    const auto point = graph.add_vertex(Vector2(20 + 3 * std::sin(2 * k), 30 + std::cos(3 * k)));
+    graph.set_eliminated(point, true);
+    for (const auto& camera : cameras) {
+      graph.add_edge(
+          [](const auto& p, const auto& l) {
+            const auto y = p.inverse_times(l).eval();
+            return y[0] / y[1];
+          },
+          camera, point);
+    }
+  }
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(held_ids(gauge), ElementsAre(0));
+  ASSERT_THAT(gauge.held_directions, SizeIs(1));
+  EXPECT_EQ(gauge.held_directions[0].vertex.pool, VertexRef(cameras[0]).pool);
+}
+
+TEST(Gauge, OfOtherTypesIsLeftToTheLargestVertexThatIsNotEliminated) {
+  Graph graph;
+  std::vector<VertexHandle<SO3>> rotations;
+  const auto offset = graph.add_vertex(0.1, 0);
+  for (int k = 0; k < 4; ++k)
+    rotations.push_back(graph.add_vertex(SO3::from_rotation_vector(Vector3(0.1 * k, 0.2, 0)), 1 + k));
+  graph.set_eliminated(rotations[0], true);
+  for (std::size_t k = 1; k < rotations.size(); ++k) {
+    graph.add_edge([](const auto& a, const auto& b,
+                      const auto& o) { return (o * (a.inverse() * b).rotation_vector()).eval(); },
+                   rotations[k - 1], rotations[k], offset);
+  }
+  const Gauge gauge = gauge_of(graph);
+  ASSERT_THAT(gauge.loose, SizeIs(1));
+  EXPECT_EQ(gauge.loose[0], VertexRef(rotations[1]));
+}
+
+struct Difference {
+  static constexpr bool kRigid = true;
+  template <class A>
+  auto error(const A& a, const A& b) const {
+    return b - a;
+  }
+};
+
+TEST(Gauge, OfRigidEdgesBetweenTypesWithoutAFrameIsLeftToThePivots) {
+  Graph graph;
+  graph.add_edge(Difference{}, graph.add_vertex(1.0), graph.add_vertex(2.0));
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(held_ids(gauge), IsEmpty());
+  EXPECT_THAT(gauge.loose, SizeIs(1));
+  EXPECT_EQ(optimize(graph).gauge.held_directions, 1);
+}
+
+TEST(Gauge, ListsFreeTranslationsAlongCoordinateAxesIfItCan) {
+  // Differences of positions are measured, and one height.
+  Graph graph;
+  const auto a = graph.add_vertex(Vector3(0, 0, 0)), b = graph.add_vertex(Vector3(1, 2, 3));
+  const auto c = graph.add_vertex(Vector3(-1, 0.5, 2));
+  for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c)})
+    graph.add_edge([](const auto& x, const auto& y) { return (y - x).eval(); }, from, to);
+  graph.add_edge([](const auto& x) { return x[2]; }, a);
+  const Gauge gauge = gauge_of(graph);
+  ASSERT_THAT(gauge.components[0].free, SizeIs(1));
+  EXPECT_THAT(gauge.components[0].free[0].along,
+              ElementsAre(FreeMotions::Axis{1, 0, 0}, FreeMotions::Axis{0, 1, 0}));
+}
+
+std::atomic<bool> stop{false};
+std::atomic<int> evaluations_after_stop{0};
+
+struct StoppingMotion {
+  Vector2 error(const Vector2& a, const Vector2& b) const {
+    stop = true;
+    ++evaluations_after_stop;
+    return b - a;
+  }
+};
+
+TEST(Gauge, IsNotSearchedOnceAStopIsRequested) {
+  Graph rigid, other;
+  std::vector<VertexHandle<SE2>> poses;
+  std::vector<VertexHandle<Vector2>> points;
+  for (int k = 0; k < 3000; ++k) {
+    poses.push_back(rigid.add_vertex(SE2()));
+    points.push_back(other.add_vertex(place(k)));
+    if (k == 0) continue;
+    rigid.add_edge(Between(SE2()), poses[poses.size() - 2], poses.back());
+    other.add_edge(StoppingMotion{}, points[points.size() - 2], points.back());
+  }
+  const StopToken token(&stop);
+  evaluations_after_stop = 0;
+  EXPECT_THROW(gauge_of(other, GaugePolicy::kError, token), Stopped);
+  EXPECT_LT(evaluations_after_stop, 2000);
+  const std::vector<std::vector<std::uint8_t>> movable{std::vector<std::uint8_t>(poses.size(), 1)};
+  EXPECT_THROW(find_gauge(rigid, find_active_set(rigid, {}).edges, movable, GaugePolicy::kFixFirst, token),
+               Stopped);
+}
+
+}  // namespace
+}  // namespace boxplus
