@@ -63,13 +63,12 @@ struct EdgeKindOf<E, std::index_sequence<N...>> {
 
  private:
   static E* next(const EdgeRun& run, int k) {
-    constexpr int kEdgesAhead = 6, kVerticesAhead = 3;
-    constexpr std::size_t kVertexBytes = 256;
     const int known = run.count + run.ahead;
     if (k + kEdgesAhead < known) prefetch(run.edges[k + kEdgesAhead], sizeof(E));
     if (k + kVerticesAhead < known) {
-      prefetch(run.edges[k + kVerticesAhead]->robustKernel(), 1);
-      for (const HyperGraph::Vertex* v : run.edges[k + kVerticesAhead]->vertices()) prefetch(v, kVertexBytes);
+      const OptimizableGraph::Edge& later = *run.edges[k + kVerticesAhead];
+      prefetch(later.robustKernel(), 1);
+      (prefetch(later.vertices()[N], sizeof(VertexType<N>)), ...);
     }
     E* edge = static_cast<E*>(run.edges[k]);
     const bool complete = ((edge->vertices()[N] != nullptr) && ...);

@@ -24,11 +24,14 @@ inline void prefetch(const void* object, std::size_t bytes) {
 #endif
 }
 
+/// An edge is prefetched this number of edges before its turn. Its vertices follow later, because only an
+/// edge that has arrived tells where they are.
+inline constexpr int kEdgesAhead = 6, kVerticesAhead = 3;
+
 /// Calls f for each edge. Meanwhile, prefetches the next edges and their vertices, because each of them is a
 /// separate heap object.
 template <class F>
 void for_each_ahead(const OptimizableGraph::EdgeContainer& edges, F&& f) {
-  constexpr std::size_t kEdgesAhead = 6, kVerticesAhead = 3;
   constexpr std::size_t kEdgeBytes = 1024, kVertexBytes = 512;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     if (k + kEdgesAhead < edges.size()) prefetch(edges[k + kEdgesAhead], kEdgeBytes);

@@ -8,31 +8,16 @@
 #include <vector>
 
 #include "boxplus/base/function_ref.h"
-#include "core/edge_kind.h"
+#include "engine/batch_pass.h"
+#include "engine/hessian_places.h"
 #include "g2o/core/optimizable_graph.h"
 
 namespace g2o {
 namespace internal {
 
-/// The places of the blocks of H, and of the parts of the gradient, in memory.
-class HessianPlaces {
- public:
-  HessianPlaces() = default;
-  HessianPlaces(const HessianPlaces&) = delete;
-  HessianPlaces& operator=(const HessianPlaces&) = delete;
-  virtual ~HessianPlaces() = default;
-  /// The offset of the block of two vertices, given by Hessian index, among the values of H.
-  struct Block {
-    std::uint32_t offset;
-    bool transposed;  ///< whether the block (j, i) is stored
-  };
-  virtual Block block(int i, int j) const = 0;
-  /// The offset of a vertex in the gradient.
-  virtual std::uint32_t gradient(int i) const = 0;
-  /// The numbers of values of H, and of the gradient. Sums of parts are stored behind them.
-  virtual std::uint32_t values() const = 0;
-  virtual std::uint32_t scalars() const = 0;
-};
+class BatchDivision;
+class BatchPart;
+struct EdgeTile;
 
 /// Each edge belongs to one of at most eight parts. Each vertex also belongs to a part. An edge belongs to
 /// the same part as its owner, which is its marginalized vertex, or the vertex that the edges use last.
@@ -56,14 +41,7 @@ class EdgeBatches {
 
   void for_each(boxplus::detail::FunctionRef<void(Edge&)> f) const;
 
-  /// What one pass over the edges found.
-  struct Pass {
-    double chi2 = 0;  ///< the sum of ρ(eᵀΩe) over the edges that are in no list below
-    bool any_incomplete = false;
-    Edges with_unknown_kernels;  ///< complete edges whose kernels are not known to be thread-safe
-    Edges not_added;             ///< edges that linearize() did not add to H, including those above
-  };
-  Pass compute_errors();
+  BatchPass compute_errors();
 
   /// Finds the places of all edges in H. Returns false if H is too large for this, or if an edge has got
   /// another vertex since take().
@@ -77,21 +55,15 @@ class EdgeBatches {
   void clear(double* values, double* gradient) const;
   /// Adds the edges to H and to the gradient JᵀΩe, after clear(). Calls computeError() of the edges only if
   /// `with_errors` is true. Both arrays include the sums of parts.
-  Pass linearize(double* values, double* gradient, bool with_errors);
+  BatchPass linearize(double* values, double* gradient, bool with_errors);
 
  private:
-  struct Batch;
-  struct Tile;
-  struct Part;
-  struct Taken;
-  class Divider;
-
-  void make_sums(const Divider& divider, int vertices);
-  Pass for_each_part(boxplus::detail::FunctionRef<void(Part&, Pass&)> task);
+  void make_sums(const BatchDivision& division, int vertices);
+  BatchPass for_all_parts(boxplus::detail::FunctionRef<void(BatchPart&, BatchPass&)> task);
   void add_sums(double* values, double* gradient) const;
 
-  std::vector<std::unique_ptr<Tile>> tiles_;  // of the parts; they stay, because edges point to them
-  std::vector<std::unique_ptr<Part>> parts_;
+  std::vector<std::unique_ptr<EdgeTile>> tiles_;  // of the parts; they stay, because edges point to them
+  std::vector<std::unique_ptr<BatchPart>> parts_;
   std::uint64_t stamp_ = 0;
   std::uint32_t extra_values_ = 0, extra_scalars_ = 0, values_ = 0, scalars_ = 0;
 };

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "engine/edge_parts.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <typeinfo>
 
-#include "boxplus/base/parallel.h"
 #include "core/prefetch.h"
 #include "core/thread_safe_types.h"
 #include "engine/last_type.h"
+#include "engine/part_threads.h"
 #include "g2o/core/robust_kernel.h"
 
 namespace g2o {
 namespace internal {
 namespace {
-
-/// The smallest number of edges for which threads save more time than they cost.
-constexpr size_t kFewestEdges = 1000;
 
 double robust_chi2(const OptimizableGraph::Edge& edge) {
   if (edge.robustKernel() == nullptr) return edge.chi2();
@@ -68,14 +64,6 @@ class VertexParts {
   int seen_ = 0;
 };
 
-/// Runs task(0) … task(parts − 1) on all threads.
-void for_each_part(int parts, boxplus::detail::FunctionRef<void(int)> task) {
-  const int threads = std::min(boxplus::detail::hardware_threads(), parts);
-  boxplus::detail::parallel_tasks(threads, [&](int thread) {
-    for (int part = thread; part < parts; part += threads) task(part);
-  });
-}
-
 }  // namespace
 
 bool EdgeParts::is_of(const Edges& edges) const {
@@ -90,7 +78,7 @@ void EdgeParts::part(const Edges& edges, int vertices) {
   batches_.take(edges, vertices, others_);
   pass_ = {};
   for (Edges& part : parts_) part.clear();
-  if (others_.size() < kFewestEdges) {
+  if (others_.size() < kFewestEdgesForThreads) {
     left_ = others_;
     return;
   }

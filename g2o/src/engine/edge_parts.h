@@ -64,7 +64,7 @@ class EdgeParts {
 
   Edges edges_, others_, left_;  // all edges; those outside of batches; those of `others_` in no part
   EdgeBatches batches_;
-  EdgeBatches::Pass pass_;  // the last pass over the batches
+  BatchPass pass_;  // the last pass over the batches
   std::uint64_t known_types_ = 0;
   std::array<Edges, kParts> parts_, with_unknown_kernels_;
   std::array<JacobianWorkspace, kParts> workspaces_;

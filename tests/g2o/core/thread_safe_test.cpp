@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "g2o/core/normal_equations.h"
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/small_graph.h"
 
@@ -89,20 +90,7 @@ struct Drive {
     e->setInformation(omega);
     optimizer.addEdge(e);
   }
-  /// The right-hand side b, the diagonal blocks of H, and the solution. The solution also depends on the
-  /// off-diagonal blocks of H.
-  std::vector<double> system() {
-    optimizer.computeActiveErrors();
-    solver->init(&optimizer);
-    solver->buildStructure();
-    solver->buildSystem();
-    std::vector<double> values(solver->b(), solver->b() + solver->vectorSize());
-    for (auto* v : optimizer.indexMapping())
-      values.insert(values.end(), v->hessianData(), v->hessianData() + 9);
-    EXPECT_TRUE(solver->solve());
-    values.insert(values.end(), solver->x(), solver->x() + solver->vectorSize());
-    return values;
-  }
+  std::vector<double> system() { return normal_equations::of(optimizer, *solver); }
 
   g2o::SparseOptimizer optimizer;
   g2o::BlockSolverX* solver = nullptr;

@@ -2,14 +2,13 @@
 // Cameras and points with the edges of visual SLAM, for tests of the g2o API.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "g2o/core/block_solver.h"
+#include "g2o/core/normal_equations.h"
 #include "g2o/core/optimization_algorithm_levenberg.h"
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/sparse_optimizer.h"
@@ -67,21 +66,7 @@ struct Scene {
     edges.push_back(edge);
   }
 
-  /// b, the diagonal blocks of H, and the damped solution, which also depends on the off-diagonal blocks of
-  /// H.
-  std::vector<double> system() {
-    optimizer.computeActiveErrors();
-    solver->init(&optimizer);
-    solver->buildStructure();
-    solver->buildSystem();
-    std::vector<double> values(solver->b(), solver->b() + solver->vectorSize());
-    for (g2o::OptimizableGraph::Vertex* v : optimizer.indexMapping())
-      values.insert(values.end(), v->hessianData(), v->hessianData() + v->dimension() * v->dimension());
-    solver->setLambda(1);
-    EXPECT_TRUE(solver->solve());
-    values.insert(values.end(), solver->x(), solver->x() + solver->vectorSize());
-    return values;
-  }
+  std::vector<double> system() { return normal_equations::of(optimizer, *solver, 1); }
   double chi2_after(int iterations) {
     optimizer.optimize(iterations);
     optimizer.computeActiveErrors();
