@@ -95,7 +95,7 @@ void SimilarityTest::choose_roles(int dimension) {
     if (kind.dimension == dimension && combinations <= kMostCombinations)
       combinations *= kind.candidates.size();
   }
-  if (combinations > kMostCombinations) return;
+  if (combinations == 1 || combinations > kMostCombinations) return;
   const std::vector<EdgeSlot> edges = sample(8);
   const std::vector<VertexSlot> ends = moving_ends(edges);
   std::vector<Kind> best = kinds_;
