@@ -24,6 +24,7 @@ constexpr double kNoticeable = 1e-5;
 struct Component : GaugeComponent {
   std::vector<EdgeSlot> edges;
   std::vector<EdgeSlot> anchors;  // the edges with one moving vertex, or with a fixed vertex
+  int most_anchor_rows = 0;       // the most rows of an edge with exactly one moving vertex
   bool only_rigid = true;         // whether all edges are of types that measure poses relative to each other
 };
 
@@ -94,6 +95,9 @@ class GaugeFinder {
   void add_edge(EdgeSlot edge, int moving, Component& component) const {
     component.edges.push_back(edge);
     component.only_rigid = component.only_rigid && graph_.edge_pools()[edge.pool]->is_rigid();
+    if (moving == 1)
+      component.most_anchor_rows =
+          std::max(component.most_anchor_rows, graph_.edge_pools()[edge.pool]->shape(edge.slot).rows);
     bool anchors = moving == 1;
     ends_.for_each(edge, [&](VertexSlot, EdgeEnds::End end, std::size_t) {
       anchors = anchors || end == EdgeEnds::End::kFixed;
@@ -129,8 +133,11 @@ class GaugeFinder {
   void decide(Component& component) {
     const VertexSlot any = component.vertices.front();
     detail::Frame frame;
-    if (component.only_rigid && !component.anchored && pool_of(any).get_frame(any.slot, frame))
-      return hold_rigid(component, frame.dimension);
+    if (component.only_rigid && pool_of(any).get_frame(any.slot, frame)) {
+      const VertexSlot first = first_choice(component);
+      if (component.most_anchor_rows >= pool_of(first).tangent_dim(first.slot)) return;
+      if (!component.anchored) return hold_rigid(component, first, frame.dimension);
+    }
     if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, ends_, stop_);
     test_->select(component.vertices, component.edges, component.anchors);
     for (const int dimension : {2, 3}) {
@@ -157,8 +164,7 @@ class GaugeFinder {
   }
 
   /// Handles a component that has only relative poses. All directions of its first pose are gauge freedom.
-  void hold_rigid(Component& component, int dimension) {
-    const VertexSlot first = first_choice(component);
+  void hold_rigid(Component& component, VertexSlot first, int dimension) {
     const detail::VertexPool& pool = pool_of(first);
     component.free = {all_rigid_motions(dimension)};
     component.moved = component.vertices;

@@ -95,7 +95,7 @@ void SimilarityTest::choose_roles(int dimension) {
     if (kind.dimension == dimension && combinations <= kMostCombinations)
       combinations *= kind.candidates.size();
   }
-  if (combinations > kMostCombinations) return;
+  if (combinations == 1 || combinations > kMostCombinations) return;
   const std::vector<EdgeSlot> edges = sample(8);
   const std::vector<VertexSlot> ends = moving_ends(edges);
   std::vector<Kind> best = kinds_;
@@ -254,8 +254,13 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     tile.error = error.data();
     tile.jacobian = jacobian.data();
     pool.linearize(std::span(&edge.slot, 1), tile, false);
-    tangents.resize(shape.cols, motions.count());
-    tangents_of_edge(edge, tangents);
+    tangents.setZero(shape.cols, motions.count());
+    Eigen::Index row = 0;
+    ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
+      const MatrixXd& of_vertex = tangents_[ends_.index(v)];
+      tangents.middleRows(row, of_vertex.rows()) = of_vertex;
+      row += graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
+    });
     changes.noalias() = jacobian * tangents;
     magnitudes.noalias() = jacobian.cwiseAbs() * tangents.rowwise().norm();
     add_resistance(changes, magnitudes, sum);
@@ -266,16 +271,6 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
   }
   const MatrixXd among = candidates.transpose() * sum * candidates;
   return candidates * eigenvectors_of(among, [](double resistance) { return resistance <= kNothing; });
-}
-
-void SimilarityTest::tangents_of_edge(EdgeSlot edge, MatrixXd& out) const {
-  out.setZero();
-  Eigen::Index row = 0;
-  ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
-    const MatrixXd& tangents = tangents_[ends_.index(v)];
-    out.middleRows(row, tangents.rows()) = tangents;
-    row += graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
-  });
 }
 
 }  // namespace boxplus

@@ -88,7 +88,6 @@ class SimilarityTest {
   Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions);
   Eigen::MatrixXd unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                              const WorldMotions& motions, Eigen::MatrixXd candidates) const;
-  void tangents_of_edge(EdgeSlot edge, Eigen::MatrixXd& out) const;
 
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;

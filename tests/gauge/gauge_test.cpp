@@ -416,6 +416,25 @@ TEST(Gauge, OfRigidEdgesBetweenTypesWithoutAFrameIsLeftToThePivots) {
   EXPECT_EQ(optimize(graph).gauge.held_directions, 1);
 }
 
+struct CountedPrior {
+  static constexpr bool kRigid = true;
+  Vector3 error(const SE2& a) const {
+    ++evaluations;
+    return a.vector();
+  }
+};
+
+TEST(Gauge, IsNotSearchedIfAllEdgesAreRigidAndOneMeasuresAWholePose) {
+  // There may be many such components.
+  Graph graph;
+  const auto a = graph.add_vertex(pose(0)), b = graph.add_vertex(pose(1));
+  graph.add_edge(Between(SE2()), a, b);
+  graph.add_edge(CountedPrior{}, b);
+  evaluations = 0;
+  EXPECT_THAT(gauge_of(graph).freedoms, IsEmpty());
+  EXPECT_EQ(evaluations, 0);
+}
+
 TEST(Gauge, ListsFreeTranslationsAlongCoordinateAxesIfItCan) {
   // Differences of positions are measured, and one height.
   Graph graph;
