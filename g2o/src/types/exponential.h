@@ -8,17 +8,10 @@
 #include "g2o/types/slam3d/se3quat.h"
 
 namespace g2o {
-namespace formulas {
+namespace adapters {
 
 inline boxplus::Sim3 similarity(const Quaternion& r, const Vector3& t, double s) {
   return boxplus::Sim3::from_unit({r.x(), r.y(), r.z(), r.w()}, t, s);
-}
-
-/// ∂(exp(δ) p)/∂δ for a point p.
-inline Eigen::Matrix<double, 3, 6> motion_of_point(const Vector3& p) {
-  Eigen::Matrix<double, 3, 6> J;
-  J << -skew(p), Matrix3::Identity();
-  return J;
 }
 
 /// ∂ log(exp(δ) x)/∂δ.
@@ -37,5 +30,5 @@ inline Matrix6 left_jacobian_of_log(const SE3Quat& x) {
   return left_jacobian_of_log(similarity(x.rotation(), x.translation(), 1)).topLeftCorner<6, 6>();
 }
 
-}  // namespace formulas
+}  // namespace adapters
 }  // namespace g2o

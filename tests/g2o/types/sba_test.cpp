@@ -201,6 +201,48 @@ TEST(Sba, TheJacobiansOfAnInverseDepthPointAreExact) {
   EXPECT_NEAR(e->error()[1], 200 - (450 * p.y() / p.z() + 200), 1e-9);
 }
 
+TEST(Sba, AnInverseDepthPointMayBeAtInfinity) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "PARAMS_CAMERAPARAMETERS 0 450 300 200 0.1\n"
+      "VERTEX_SE3:EXPMAP 0 0 0 0 0 0 0 1\n"
+      "VERTEX_SE3:EXPMAP 1 5 6 7 0 0 0 1\n"
+      "VERTEX_XYZ 2 0.1 -0.2 0\n");
+  ASSERT_TRUE(optimizer.load(in));
+  auto* e = new g2o::EdgeProjectPSI2UV;
+  e->resize(3);
+  for (int n = 0; n < 3; ++n) e->setVertex(static_cast<std::size_t>(n), optimizer.vertex((n + 2) % 3));
+  e->setParameterId(0, 0);
+  ASSERT_TRUE(optimizer.addEdge(e));
+  e->computeError();
+  EXPECT_LT((e->error() + g2o::Vector2(450 * 0.1 + 300, 450 * -0.2 + 200)).norm(), 1e-12);
+  edge_checks::expect_exact_jacobians(*e);
+}
+
+TEST(Sba, AClientMayGiveTheCameraMatrixASkew) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX_CAM 0 0 0 0 0 0 0 1 100 200 10 20 0.08\n"
+      "VERTEX_XYZ 1 1 2 4\n"
+      "EDGE_PROJECT_P2MC 1 0 0 0" +
+      omega(2) +
+      "\n"
+      "EDGE_PROJECT_P2SC 1 0 0 0 0" +
+      omega(3) + "\n");
+  ASSERT_TRUE(optimizer.load(in));
+  auto* v = static_cast<g2o::VertexCam*>(optimizer.vertex(0));
+  g2o::SBACam cam = v->estimate();
+  cam.Kcam(0, 1) = 8;  // u increases by 8 · 2/4
+  v->setEstimate(cam);
+  for (g2o::HyperGraph::Edge* each : optimizer.edges()) {
+    auto* e = static_cast<g2o::OptimizableGraph::Edge*>(each);
+    e->computeError();
+    EXPECT_NEAR(e->errorData()[0], 39, 1e-12);
+    EXPECT_NEAR(e->errorData()[1], 120, 1e-12);
+    edge_checks::expect_exact_jacobians(*e);
+  }
+}
+
 TEST(Sba, FilesStoreTheInversesOfEstimatesAndMeasurements) {
   g2o::VertexSE3Expmap v;
   std::istringstream in("1 2 3 0 0 0 1");

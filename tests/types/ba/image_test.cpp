@@ -5,6 +5,7 @@
 
 #include "boxplus/manifold/convert_to.h"
 #include "boxplus/testing/check_manifold.h"
+#include "boxplus/types/slam3d/between_jacobians.h"
 #include "types/expect_jacobians.h"
 
 namespace boxplus {
@@ -42,6 +43,32 @@ TEST(StereoPose, KeepsItsIntrinsicsInAStep) {
   const StereoPose moved = Manifold<StereoPose>::oplus(kStereoPose, step);
   EXPECT_EQ(moved.intrinsics.parameters, kStereoPose.intrinsics.parameters);
   EXPECT_EQ(moved.pose.vector(), Manifold<SE3>::oplus(kPose, step).vector());
+}
+
+TEST(ImageDerivatives, AreThoseOfTheCameraForEveryDepth) {
+  const double bf = 20;
+  for (const double depth : {4.0, -3.0, 1e-3, 4e-10, -4e-10, 0.0}) {
+    const Vector3 p(2 * depth + 1e-10, depth - 1e-10, depth);
+    const detail::ImageDerivatives<3> by({kPinhole, bf}, p);
+    Matrix<double, 2, 3> J;
+    Matrix<double, 2, 4> J_parameters;
+    kPinhole.project(p, J, J_parameters);
+    const double tolerance = 1e-15 * J.norm();
+    EXPECT_LT((by.by_point().topRows<2>() - J).norm(), tolerance) << depth;
+    EXPECT_LT((by.by_parameters().topLeftCorner<2, 4>() - J_parameters).norm(), 1e-15 * J_parameters.norm());
+    const detail::Inverse<double> inverse = detail::inverse(depth);
+    const Vector3 second_minus_first(0, 0, -bf * inverse.slope);
+    EXPECT_LT((by.by_point().row(2) - J.row(0) - second_minus_first.transpose()).norm(), tolerance) << depth;
+    EXPECT_EQ(by.by_parameters()(2, 4), -inverse.value);
+
+    Matrix<double, 3, 3> by_rotated, J_t, J_omega;
+    by.by_rotated_point(kPose.rotation(), by_rotated);
+    by.by_pose(J_t, J_omega);
+    const Matrix<double, 3, 3> D = by.by_point(), across = detail::cross_matrix(p[0], p[1], p[2]);
+    EXPECT_LT((by_rotated - D * kPose.rotation()).norm(), 1e-15 * D.norm()) << depth;
+    EXPECT_EQ(J_t, -D);
+    EXPECT_LT((J_omega - D * across).norm(), 1e-15 * D.norm() * p.norm()) << depth;
+  }
 }
 
 TEST(PointImage, IsThePixelOfThePointInThePairOfTheVertex) {

@@ -2,7 +2,7 @@
 #include "g2o/types/icp/types_icp.h"
 
 #include "g2o/core/factory.h"
-#include "types/images.h"
+#include "types/cameras.h"
 #include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
@@ -96,13 +96,9 @@ double baseline_times_focal_length() {
   return VertexSCam::Kcam(0, 0) * VertexSCam::baseline;
 }
 
-/// An observation with the measurement zero. Its error is the position of the point in the frame of the
-/// camera.
-const boxplus::PointObservation3 kInCamera{boxplus::Vector3(0, 0, 0)};
-
 }  // namespace
 
-Matrix3 VertexSCam::Kcam = formulas::camera_matrix(1, 1, 0, 0);
+Matrix3 VertexSCam::Kcam = adapters::camera_matrix(1, 1, 0, 0);
 double VertexSCam::baseline = 0;
 
 VertexSCam::VertexSCam() {
@@ -118,7 +114,7 @@ void VertexSCam::transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& tra
 }
 
 void VertexSCam::setKcam(double fx, double fy, double cx, double cy, double tx) {
-  Kcam = formulas::camera_matrix(fx, fy, cx, cy);
+  Kcam = adapters::camera_matrix(fx, fy, cx, cy);
   baseline = tx;
 }
 
@@ -131,7 +127,7 @@ void VertexSCam::setProjection() {
 }
 
 void VertexSCam::setDr() {
-  formulas::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
+  adapters::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
 }
 
 void VertexSCam::setAll() {
@@ -141,8 +137,7 @@ void VertexSCam::setAll() {
 }
 
 void VertexSCam::mapPoint(Vector3& res, const Vector3& pt3) const {
-  res = formulas::stereo_image(Kcam, baseline_times_focal_length(),
-                               kInCamera.error(adapters::pose(*this), boxplus::Vector3(pt3)));
+  res = adapters::image<3>(Kcam, baseline_times_focal_length(), adapters::pose(*this).inverse_times(pt3));
 }
 
 Edge_XYZ_VSC::Edge_XYZ_VSC() {
@@ -157,11 +152,9 @@ void Edge_XYZ_VSC::computeError() {
 
 void Edge_XYZ_VSC::linearizeOplus() {
   const boxplus::SE3 pose = adapters::pose(*vertexXn<1>());
-  const boxplus::Vector3 point = adapters::point(*vertexXn<0>());
-  adapters::linearize(kInCamera, adapters::Argument<boxplus::SE3>{pose, _jacobianOplusXj.data()},
-                      adapters::Argument<boxplus::Vector3>{point, _jacobianOplusXi.data()});
-  const Matrix3 D = formulas::stereo_image_jacobian(VertexSCam::Kcam, baseline_times_focal_length(),
-                                                    kInCamera.error(pose, point));
+  const boxplus::Vector3 point = adapters::point(*vertexXn<0>()), p = pose.inverse_times(point);
+  const Matrix3 D = adapters::image_by_point<3>(VertexSCam::Kcam, baseline_times_focal_length(), p);
+  boxplus::PointObservation3(p).jacobians(pose, point, _jacobianOplusXj, _jacobianOplusXi);
   _jacobianOplusXi = (D * _jacobianOplusXi).eval();
   _jacobianOplusXj = (D * _jacobianOplusXj).eval();
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "boxplus/types/ba/stereo_camera.h"
 #include "g2o/core/factory.h"
+#include "g2o/types/sba/parameter_cameraparameters.h"
 #include "g2o/types/slam3d/se3quat.h"
+#include "types/cameras.h"
 #include "types/slam3d/adapters_slam3d.h"
 
 // Every source that includes this header refers to the source that registers the tags of all types. Without
@@ -20,6 +23,15 @@ inline boxplus::SE3 pose(const SE3Quat& x) {
 inline SE3Quat to_se3quat(const boxplus::SE3& x) {
   const boxplus::detail::Quaternion<double> q = x.quaternion();
   return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), x.translation());
+}
+/// T x, as SE3Quat::map(). But the rotation of the engine is faster, because it keeps all values in
+/// registers.
+inline Vector3 transformed(const SE3Quat& T, const Vector3& x) {
+  return pose(T) * x;
+}
+
+inline boxplus::StereoCamera camera(const CameraParameters& x) {
+  return {{x.focal_length, x.principle_point[0], x.principle_point[1], x.baseline}};
 }
 
 }  // namespace adapters

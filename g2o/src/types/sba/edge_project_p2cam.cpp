@@ -2,7 +2,6 @@
 // Edges for the image of a point in an SBACam, as a single camera or as a stereo pair.
 #include "g2o/types/sba/edge_project_p2mc.h"
 #include "g2o/types/sba/edge_project_p2sc.h"
-#include "types/images.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
@@ -16,17 +15,18 @@ double baseline_times_focal_length(const SBACam& cam) {
   return cam.Kcam(0, 0) * cam.baseline;
 }
 
-/// Computes the Jacobians from D, the derivative of an image with respect to the point in the frame of the
-/// camera.
-template <class Derivative, class JPoint, class JCam>
-void linearize(const SBACam& cam, const Vector3& point, const Derivative& D, JPoint& J_point, JCam& J_cam) {
-  const auto R = cam.w2n.leftCols<3>();
-  const Vector3 arm = point - cam.translation();
-  J_point = D * R;
-  J_cam.template leftCols<3>() = -J_point;
-  J_cam.col(3) = D * (cam.dRdx * arm);
-  J_cam.col(4) = D * (cam.dRdy * arm);
-  J_cam.col(5) = D * (cam.dRdz * arm);
+/// Computes the Jacobians of the image. The engine's tangent of a pose has the translation in the frame of
+/// the camera, and g2o's in the world frame.
+template <int Rows, class JPoint, class JCam>
+void linearize(const SBACam& cam, const Vector3& point, JPoint& J_point, JCam& J_cam) {
+  const Vector3 p = in_camera(cam, point);
+  const auto D = adapters::image_by_point<Rows>(cam.Kcam, baseline_times_focal_length(cam), p);
+  Eigen::Matrix<double, 3, 6> p_by_cam;
+  Matrix3 p_by_point;
+  boxplus::PointObservation3(p).jacobians(adapters::pose(cam), boxplus::Vector3(point), p_by_cam, p_by_point);
+  J_point = D * p_by_point;
+  J_cam = D * p_by_cam;
+  J_cam.template leftCols<3>() *= cam.w2n.leftCols<3>();
 }
 
 }  // namespace
@@ -37,14 +37,11 @@ EdgeProjectP2MC::EdgeProjectP2MC() {
 
 void EdgeProjectP2MC::computeError() {
   const SBACam& cam = vertexXn<1>()->estimate();
-  _error = formulas::image(cam.Kcam, in_camera(cam, vertexXn<0>()->estimate())) - _measurement;
+  _error = adapters::image<2>(cam.Kcam, 0, in_camera(cam, vertexXn<0>()->estimate())) - _measurement;
 }
 
 void EdgeProjectP2MC::linearizeOplus() {
-  const SBACam& cam = vertexXn<1>()->estimate();
-  const Vector3& point = vertexXn<0>()->estimate();
-  linearize(cam, point, formulas::image_jacobian(cam.Kcam, in_camera(cam, point)), _jacobianOplusXi,
-            _jacobianOplusXj);
+  linearize<2>(vertexXn<1>()->estimate(), vertexXn<0>()->estimate(), _jacobianOplusXi, _jacobianOplusXj);
 }
 
 bool EdgeProjectP2MC::read(std::istream& is) {
@@ -62,18 +59,13 @@ EdgeProjectP2SC::EdgeProjectP2SC() {
 
 void EdgeProjectP2SC::computeError() {
   const SBACam& cam = vertexXn<1>()->estimate();
-  _error = formulas::stereo_image(cam.Kcam, baseline_times_focal_length(cam),
-                                  in_camera(cam, vertexXn<0>()->estimate())) -
+  _error = adapters::image<3>(cam.Kcam, baseline_times_focal_length(cam),
+                              in_camera(cam, vertexXn<0>()->estimate())) -
            _measurement;
 }
 
 void EdgeProjectP2SC::linearizeOplus() {
-  const SBACam& cam = vertexXn<1>()->estimate();
-  const Vector3& point = vertexXn<0>()->estimate();
-  linearize(
-      cam, point,
-      formulas::stereo_image_jacobian(cam.Kcam, baseline_times_focal_length(cam), in_camera(cam, point)),
-      _jacobianOplusXi, _jacobianOplusXj);
+  linearize<3>(vertexXn<1>()->estimate(), vertexXn<0>()->estimate(), _jacobianOplusXi, _jacobianOplusXj);
 }
 
 bool EdgeProjectP2SC::read(std::istream& is) {

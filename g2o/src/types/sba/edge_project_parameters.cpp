@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edges for the image of a point in a camera whose intrinsics are a parameter of the graph.
+#include "boxplus/types/ba/inverse_depth.h"
 #include "g2o/types/sba/edge_project_psi2uv.h"
 #include "g2o/types/sba/edge_project_xyz2uv.h"
 #include "g2o/types/sba/edge_project_xyz2uvu.h"
-#include "types/exponential.h"
-#include "types/images.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
 namespace {
 
-formulas::Pinhole pinhole(const CameraParameters& cam) {
-  return {cam.focal_length, cam.focal_length, cam.principle_point[0], cam.principle_point[1]};
-}
+using Native = boxplus::InverseDepthImage;
 
-/// Converts a point to ψ = (x/depth, y/depth, 1/depth). The function is its own inverse.
-Vector3 invert_depth(const Vector3& x) {
-  return x.head<2>().homogeneous() / x[2];
+/// The pose of a camera, given the motion from the world to the camera.
+boxplus::SE3RotationVector pose_of(const VertexSE3Expmap& camera) {
+  const boxplus::SE3 pose = adapters::pose(camera.estimate().inverse());
+  return boxplus::SE3RotationVector::from_unit(pose.translation(), pose.quaternion());
 }
 
 }  // namespace
@@ -28,15 +26,16 @@ EdgeProjectXYZ2UV::EdgeProjectXYZ2UV() {
 }
 
 void EdgeProjectXYZ2UV::computeError() {
-  _error = _measurement - _cam->cam_map(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()));
+  _error = _measurement -
+           _cam->cam_map(adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()));
 }
 
 void EdgeProjectXYZ2UV::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const formulas::Pinhole camera = pinhole(*_cam);
-  _jacobianOplusXi.noalias() = formulas::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -formulas::image_by_motion(camera, p);
+  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
+  const adapters::ImageDerivatives<2> by(adapters::camera(*_cam).pinhole(), p);
+  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
+  adapters::negative_by_step(by, _jacobianOplusXj);
 }
 
 bool EdgeProjectXYZ2UV::read(std::istream& is) {
@@ -55,17 +54,16 @@ EdgeProjectXYZ2UVU::EdgeProjectXYZ2UVU() {
 }
 
 void EdgeProjectXYZ2UVU::computeError() {
-  _error = _measurement - _cam->stereocam_uvu_map(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()));
+  _error = _measurement - _cam->stereocam_uvu_map(
+                              adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()));
 }
 
 void EdgeProjectXYZ2UVU::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const formulas::Pinhole camera = pinhole(*_cam);
-  const double bf = _cam->focal_length * _cam->baseline;
-  _jacobianOplusXi.noalias() =
-      formulas::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -formulas::stereo_image_by_motion(camera, bf, p);
+  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
+  const adapters::ImageDerivatives<3> by(adapters::camera(*_cam).pinhole(), p);
+  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
+  adapters::negative_by_step(by, _jacobianOplusXj);
 }
 
 bool EdgeProjectXYZ2UVU::read(std::istream& is) {
@@ -84,24 +82,25 @@ EdgeProjectPSI2UV::EdgeProjectPSI2UV() {
 }
 
 void EdgeProjectPSI2UV::computeError() {
-  const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();
-  _error = _measurement - _cam->cam_map(motion.map(invert_depth(vertexXn<0>()->estimate())));
+  _error = -Native(_measurement)
+                .error(adapters::point(*vertexXn<0>()), pose_of(*vertexXn<1>()), pose_of(*vertexXn<2>()),
+                       adapters::camera(*_cam));
 }
 
-// Let q be the point of ψ in the frame of the anchor. In the frame of the camera, the point is p = A q with A
-// = T T_anchor⁻¹. A step δ of the anchor changes p to A exp(−δ) q.
+// The error is the negative of the engine's, and a step T ← exp(ω, υ) T changes the pose X = T⁻¹ of the
+// engine to X exp(−ω, −υ). The signs cancel.
 void EdgeProjectPSI2UV::linearizeOplus() {
-  const Vector3& psi = vertexXn<0>()->estimate();
-  const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();
-  const Vector3 q = invert_depth(psi), p = motion.map(q);
-  const formulas::Pinhole camera = pinhole(*_cam);
-  const Eigen::Matrix<double, 2, 3> D = formulas::image_jacobian(camera, p);
-  const Eigen::Matrix<double, 2, 3> DR = D * motion.rotation().toRotationMatrix();
-  Matrix3 dq_dpsi = Matrix3::Identity() / psi[2];
-  dq_dpsi.col(2) = -q / psi[2];
-  std::get<0>(_jacobianOplus) = -DR * dq_dpsi;
-  std::get<1>(_jacobianOplus) = -formulas::image_by_motion(camera, p);
-  std::get<2>(_jacobianOplus) = DR * formulas::motion_of_point(q);
+  Eigen::Matrix<double, 2, 3> by_point;
+  Eigen::Matrix<double, 2, 6> by_pose, by_anchor;
+  adapters::linearize(
+      Native(_measurement),
+      adapters::Argument<boxplus::Vector3>{adapters::point(*vertexXn<0>()), by_point.data()},
+      adapters::Argument<boxplus::SE3RotationVector>{pose_of(*vertexXn<1>()), by_pose.data()},
+      adapters::Argument<boxplus::SE3RotationVector>{pose_of(*vertexXn<2>()), by_anchor.data()},
+      adapters::Argument<boxplus::StereoCamera>{adapters::camera(*_cam), nullptr});
+  std::get<0>(_jacobianOplus) = -by_point;
+  std::get<1>(_jacobianOplus) << by_pose.rightCols<3>(), by_pose.leftCols<3>();
+  std::get<2>(_jacobianOplus) << by_anchor.rightCols<3>(), by_anchor.leftCols<3>();
 }
 
 bool EdgeProjectPSI2UV::read(std::istream& is) {

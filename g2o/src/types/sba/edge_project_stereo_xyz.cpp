@@ -4,7 +4,7 @@
 
 #include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"
-#include "types/images.h"
+#include "types/cameras.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
@@ -14,24 +14,24 @@ EdgeStereoSE3ProjectXYZ::EdgeStereoSE3ProjectXYZ() {
 }
 
 void EdgeStereoSE3ProjectXYZ::computeError() {
-  _error = _measurement - cam_project(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()), bf);
+  _error = _measurement -
+           cam_project(adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()), bf);
 }
 
 void EdgeStereoSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const formulas::Pinhole camera{fx, fy, cx, cy};
-  _jacobianOplusXi.noalias() =
-      formulas::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -formulas::stereo_image_by_motion(camera, bf, p);
+  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
+  const adapters::ImageDerivatives<3> by(adapters::pinhole(fx, fy, cx, cy, bf), p);
+  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
+  adapters::negative_by_step(by, _jacobianOplusXj);
 }
 
 bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
-  return vertexXn<1>()->estimate().map(vertexXn<0>()->estimate())[2] > 0;
+  return adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate())[2] > 0;
 }
 
 Vector3 EdgeStereoSE3ProjectXYZ::cam_project(const Vector3& trans_xyz, const double& baseline_fx) const {
-  return formulas::stereo_image(formulas::Pinhole{fx, fy, cx, cy}, baseline_fx, trans_xyz);
+  return adapters::pinhole(fx, fy, cx, cy, baseline_fx).image<3>(trans_xyz);
 }
 
 bool EdgeStereoSE3ProjectXYZ::read(std::istream& is) {
@@ -50,20 +50,21 @@ EdgeStereoSE3ProjectXYZOnlyPose::EdgeStereoSE3ProjectXYZOnlyPose() {
 }
 
 void EdgeStereoSE3ProjectXYZOnlyPose::computeError() {
-  _error = _measurement - cam_project(vertexXn<0>()->estimate().map(Xw));
+  _error = _measurement - cam_project(adapters::transformed(vertexXn<0>()->estimate(), Xw));
 }
 
 void EdgeStereoSE3ProjectXYZOnlyPose::linearizeOplus() {
-  const Vector3 p = vertexXn<0>()->estimate().map(Xw);
-  _jacobianOplusXi = -formulas::stereo_image_by_motion({fx, fy, cx, cy}, bf, p);
+  const Vector3 p = adapters::transformed(vertexXn<0>()->estimate(), Xw);
+  adapters::negative_by_step(adapters::ImageDerivatives<3>(adapters::pinhole(fx, fy, cx, cy, bf), p),
+                             _jacobianOplusXi);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
-  return vertexXn<0>()->estimate().map(Xw)[2] > 0;
+  return adapters::transformed(vertexXn<0>()->estimate(), Xw)[2] > 0;
 }
 
 Vector3 EdgeStereoSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
-  return formulas::stereo_image(formulas::Pinhole{fx, fy, cx, cy}, bf, trans_xyz);
+  return adapters::pinhole(fx, fy, cx, cy, bf).image<3>(trans_xyz);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::read(std::istream& is) {

@@ -4,25 +4,34 @@
 
 #include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_xyz_onlypose.h"
-#include "types/images.h"
+#include "types/cameras.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
+namespace {
+
+template <class Edge>
+adapters::Pinhole camera_of(const Edge& edge) {
+  return adapters::pinhole(edge.fx, edge.fy, edge.cx, edge.cy);
+}
+
+}  // namespace
 
 EdgeSE3ProjectXYZ::EdgeSE3ProjectXYZ() {
   _measurement.setZero();
 }
 
 void EdgeSE3ProjectXYZ::computeError() {
-  _error = _measurement - cam_project(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()));
+  _error = _measurement - camera_of(*this).image<2>(
+                              adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()));
 }
 
 void EdgeSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const formulas::Pinhole camera{-fx, -fy, cx, cy};  // the error is z minus the image
-  formulas::image_by_rotated_point(camera, p, T.rotation().toRotationMatrix(), _jacobianOplusXi);
-  formulas::image_by_motion(camera, p, _jacobianOplusXj);
+  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
+  const adapters::ImageDerivatives<2> by(camera_of(*this), p);
+  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
+  adapters::negative_by_step(by, _jacobianOplusXj);
 }
 
 bool EdgeSE3ProjectXYZ::isDepthPositive() {
@@ -30,7 +39,7 @@ bool EdgeSE3ProjectXYZ::isDepthPositive() {
 }
 
 Vector2 EdgeSE3ProjectXYZ::cam_project(const Vector3& trans_xyz) const {
-  return formulas::image(formulas::Pinhole{fx, fy, cx, cy}, trans_xyz);
+  return camera_of(*this).image<2>(trans_xyz);
 }
 
 bool EdgeSE3ProjectXYZ::read(std::istream& is) {
@@ -49,12 +58,12 @@ EdgeSE3ProjectXYZOnlyPose::EdgeSE3ProjectXYZOnlyPose() {
 }
 
 void EdgeSE3ProjectXYZOnlyPose::computeError() {
-  _error = _measurement - cam_project(vertexXn<0>()->estimate().map(Xw));
+  _error = _measurement - camera_of(*this).image<2>(adapters::transformed(vertexXn<0>()->estimate(), Xw));
 }
 
 void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
-  const Vector3 p = vertexXn<0>()->estimate().map(Xw);
-  formulas::image_by_motion({-fx, -fy, cx, cy}, p, _jacobianOplusXi);
+  const Vector3 p = adapters::transformed(vertexXn<0>()->estimate(), Xw);
+  adapters::negative_by_step(adapters::ImageDerivatives<2>(camera_of(*this), p), _jacobianOplusXi);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -62,7 +71,7 @@ bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
 }
 
 Vector2 EdgeSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
-  return formulas::image(formulas::Pinhole{fx, fy, cx, cy}, trans_xyz);
+  return camera_of(*this).image<2>(trans_xyz);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::read(std::istream& is) {

@@ -18,7 +18,7 @@ void EdgeSE3Expmap::computeError() {
 // changes E to exp(−Ad δ) E with the adjoint Ad of T₂⁻¹.
 void EdgeSE3Expmap::linearizeOplus() {
   const SE3Quat inverse = vertexXn<1>()->estimate().inverse(), left = inverse * _measurement;
-  const Matrix6 J = formulas::left_jacobian_of_log(left * vertexXn<0>()->estimate());
+  const Matrix6 J = adapters::left_jacobian_of_log(left * vertexXn<0>()->estimate());
   _jacobianOplusXi = J * left.adj();
   _jacobianOplusXj = -J * inverse.adj();
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "g2o/types/sba/vertex_intrinsics.h"
-#include "types/images.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
@@ -39,7 +38,7 @@ void SBACam::transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, 
 }
 
 void SBACam::setKcam(double fx, double fy, double cx, double cy, double tx) {
-  Kcam = formulas::camera_matrix(fx, fy, cx, cy);
+  Kcam = adapters::camera_matrix(fx, fy, cx, cy);
   baseline = tx;
   setTransform();
   setProjection();
@@ -55,7 +54,7 @@ void SBACam::setProjection() {
 }
 
 void SBACam::setDr() {
-  formulas::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
+  adapters::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
 }
 
 std::ostream& operator<<(std::ostream& os, const SBACam& cam) {

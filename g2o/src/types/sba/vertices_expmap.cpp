@@ -4,7 +4,6 @@
 #include "g2o/types/sba/parameter_cameraparameters.h"
 #include "g2o/types/sba/vertex_sba_pointxyz.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
-#include "types/images.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
@@ -56,14 +55,11 @@ CameraParameters::CameraParameters(double focalLength, const Vector2& principleP
     : focal_length(focalLength), principle_point(principlePoint), baseline(baseLine) {}
 
 Vector2 CameraParameters::cam_map(const Vector3& trans_xyz) const {
-  return formulas::image(
-      formulas::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]}, trans_xyz);
+  return adapters::camera(*this).pinhole().image<2>(trans_xyz);
 }
 
 Vector3 CameraParameters::stereocam_uvu_map(const Vector3& trans_xyz) const {
-  return formulas::stereo_image(
-      formulas::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]},
-      focal_length * baseline, trans_xyz);
+  return adapters::camera(*this).pinhole().image<3>(trans_xyz);
 }
 
 bool CameraParameters::read(std::istream& is) {

@@ -37,7 +37,7 @@ void EdgeSim3::linearizeOplus() {
   const VertexSim3Expmap *first = vertexXn<0>(), *second = vertexXn<1>();
   const Sim3 E = _measurement * first->estimate() * second->estimate().inverse();
   const Matrix7 J =
-      formulas::left_jacobian_of_log(formulas::similarity(E.rotation(), E.translation(), E.scale()));
+      adapters::left_jacobian_of_log(adapters::similarity(E.rotation(), E.translation(), E.scale()));
   _jacobianOplusXi = J * adjoint(_measurement);
   _jacobianOplusXj = -J * adjoint(E);
   if (first->_fix_scale) _jacobianOplusXi.col(6).setZero();

@@ -4,27 +4,21 @@
 #include "core/edge_kind.h"
 #include "g2o/core/factory.h"
 #include "types/adapters.h"
-#include "types/exponential.h"
-#include "types/images.h"
+#include "types/cameras.h"
 
 G2O_USE_TYPE_GROUP(sim3)  // registers the tags for clients that use only these types
 
 namespace g2o {
 namespace {
 
-formulas::Pinhole first_camera(const VertexSim3Expmap& v) {
-  return {v._focal_length1[0], v._focal_length1[1], v._principle_point1[0], v._principle_point1[1]};
+adapters::Pinhole first_camera(const VertexSim3Expmap& v) {
+  return adapters::pinhole(v._focal_length1[0], v._focal_length1[1], v._principle_point1[0],
+                           v._principle_point1[1]);
 }
 
-formulas::Pinhole second_camera(const VertexSim3Expmap& v) {
-  return {v._focal_length2[0], v._focal_length2[1], v._principle_point2[0], v._principle_point2[1]};
-}
-
-/// ∂(exp(δ) p)/∂δ for a point p. If the scale is fixed, the column for the scale is zero.
-Eigen::Matrix<double, 3, 7> motion_of_point(const VertexSim3Expmap& v, const Vector3& p) {
-  Eigen::Matrix<double, 3, 7> J;
-  J << formulas::motion_of_point(p), v._fix_scale ? Vector3::Zero() : p;
-  return J;
+adapters::Pinhole second_camera(const VertexSim3Expmap& v) {
+  return adapters::pinhole(v._focal_length2[0], v._focal_length2[1], v._principle_point2[0],
+                           v._principle_point2[1]);
 }
 
 }  // namespace
@@ -35,16 +29,18 @@ EdgeSim3ProjectXYZ::EdgeSim3ProjectXYZ() {
 
 void EdgeSim3ProjectXYZ::computeError() {
   const VertexSim3Expmap& v = *vertexXn<1>();
-  _error = _measurement - formulas::image(first_camera(v), v.estimate().map(vertexXn<0>()->estimate()));
+  _error = _measurement - first_camera(v).image<2>(v.estimate().map(vertexXn<0>()->estimate()));
 }
 
+// A change of the scale moves the point in the frame of the camera along its ray, so its image stays.
 void EdgeSim3ProjectXYZ::linearizeOplus() {
   const VertexSim3Expmap& v = *vertexXn<1>();
   const Sim3& S = v.estimate();
   const Vector3 p = S.map(vertexXn<0>()->estimate());
-  const Eigen::Matrix<double, 2, 3> D = formulas::image_jacobian(first_camera(v), p);
-  _jacobianOplusXi = -S.scale() * D * S.rotation().toRotationMatrix();
-  _jacobianOplusXj = -D * motion_of_point(v, p);
+  const adapters::ImageDerivatives<2> by(first_camera(v), p);
+  by.by_rotated_point(-S.scale() * S.rotation().toRotationMatrix(), _jacobianOplusXi);
+  by.by_pose(_jacobianOplusXj.middleCols<3>(3), _jacobianOplusXj.leftCols<3>());
+  _jacobianOplusXj.col(6).setZero();
 }
 
 bool EdgeSim3ProjectXYZ::read(std::istream& is) {
@@ -62,8 +58,7 @@ EdgeInverseSim3ProjectXYZ::EdgeInverseSim3ProjectXYZ() {
 
 void EdgeInverseSim3ProjectXYZ::computeError() {
   const VertexSim3Expmap& v = *vertexXn<1>();
-  _error =
-      _measurement - formulas::image(second_camera(v), v.estimate().inverse().map(vertexXn<0>()->estimate()));
+  _error = _measurement - second_camera(v).image<2>(v.estimate().inverse().map(vertexXn<0>()->estimate()));
 }
 
 // A step δ of S changes the point in the camera to S⁻¹ exp(−δ) p.
@@ -71,11 +66,12 @@ void EdgeInverseSim3ProjectXYZ::linearizeOplus() {
   const VertexSim3Expmap& v = *vertexXn<1>();
   const Sim3 inverse = v.estimate().inverse();
   const Vector3& point = vertexXn<0>()->estimate();
-  const Eigen::Matrix<double, 2, 3> D = inverse.scale() *
-                                        formulas::image_jacobian(second_camera(v), inverse.map(point)) *
-                                        inverse.rotation().toRotationMatrix();
+  Eigen::Matrix<double, 2, 3> D;  // of the image, by the point
+  adapters::ImageDerivatives<2>(second_camera(v), inverse.map(point))
+      .by_rotated_point(inverse.scale() * inverse.rotation().toRotationMatrix(), D);
   _jacobianOplusXi = -D;
-  _jacobianOplusXj = D * motion_of_point(v, point);
+  _jacobianOplusXj << -D * skew(point), D, D * point;
+  if (v._fix_scale) _jacobianOplusXj.col(6).setZero();
 }
 
 bool EdgeInverseSim3ProjectXYZ::read(std::istream& is) {

@@ -8,11 +8,7 @@
 namespace g2o {
 namespace {
 
-/// The third value of the measurement as a function of the depth, for depth_image(): the depth itself.
-struct Depth {
-  static double of(double depth) { return depth; }
-  static double derivative(double) { return 1; }
-};
+using Native = boxplus::DepthImage;
 
 }  // namespace
 
@@ -23,14 +19,12 @@ EdgeSE3PointXYZDepth::EdgeSE3PointXYZDepth() {
 }
 
 void EdgeSE3PointXYZDepth::computeError() {
-  _error = adapters::depth_image<Depth>(params->Kcam(),
-                                        adapters::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
-           _measurement;
+  _error = adapters::depth_image_error<Native>(_measurement, *vertexXn<0>(), *vertexXn<1>(), *params);
 }
 
 void EdgeSE3PointXYZDepth::linearizeOplus() {
-  adapters::linearize_depth_image<Depth>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
-                                         _jacobianOplusXj);
+  adapters::linearize_depth_image<Native>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
+                                          _jacobianOplusXj);
 }
 
 bool EdgeSE3PointXYZDepth::read(std::istream& is) {
@@ -53,8 +47,8 @@ bool EdgeSE3PointXYZDepth::getMeasurementData(double* d) const {
 }
 
 bool EdgeSE3PointXYZDepth::setMeasurementFromState() {
-  setMeasurement(adapters::depth_image<Depth>(
-      params->Kcam(), (vertexXn<0>()->estimate() * params->offset()).inverse() * vertexXn<1>()->estimate()));
+  setMeasurement(
+      adapters::depth_image_error<Native>(Vector3::Zero(), *vertexXn<0>(), *vertexXn<1>(), *params));
   return true;
 }
 

@@ -8,11 +8,7 @@
 namespace g2o {
 namespace {
 
-/// The third value of the measurement: the inverse of the depth.
-struct Disparity {
-  static double of(double depth) { return 1 / depth; }
-  static double derivative(double depth) { return -1 / (depth * depth); }
-};
+using Native = boxplus::DisparityImage;
 
 }  // namespace
 
@@ -23,14 +19,12 @@ EdgeSE3PointXYZDisparity::EdgeSE3PointXYZDisparity() {
 }
 
 void EdgeSE3PointXYZDisparity::computeError() {
-  _error = adapters::depth_image<Disparity>(
-               params->Kcam(), adapters::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
-           _measurement;
+  _error = adapters::depth_image_error<Native>(_measurement, *vertexXn<0>(), *vertexXn<1>(), *params);
 }
 
 void EdgeSE3PointXYZDisparity::linearizeOplus() {
-  adapters::linearize_depth_image<Disparity>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
-                                             _jacobianOplusXj);
+  adapters::linearize_depth_image<Native>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
+                                          _jacobianOplusXj);
 }
 
 bool EdgeSE3PointXYZDisparity::read(std::istream& is) {
@@ -53,8 +47,8 @@ bool EdgeSE3PointXYZDisparity::getMeasurementData(double* d) const {
 }
 
 bool EdgeSE3PointXYZDisparity::setMeasurementFromState() {
-  setMeasurement(adapters::depth_image<Disparity>(
-      params->Kcam(), (vertexXn<0>()->estimate() * params->offset()).inverse() * vertexXn<1>()->estimate()));
+  setMeasurement(
+      adapters::depth_image_error<Native>(Vector3::Zero(), *vertexXn<0>(), *vertexXn<1>(), *params));
   return true;
 }
 

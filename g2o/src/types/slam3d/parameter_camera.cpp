@@ -2,7 +2,7 @@
 #include "g2o/types/slam3d/parameter_camera.h"
 
 #include "g2o/types/slam3d/parameter_stereo_camera.h"
-#include "types/images.h"
+#include "types/cameras.h"
 #include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
@@ -12,7 +12,7 @@ ParameterCamera::ParameterCamera() {
 }
 
 void ParameterCamera::setKcam(double fx, double fy, double cx, double cy) {
-  _Kcam = formulas::camera_matrix(fx, fy, cx, cy);
+  _Kcam = adapters::camera_matrix(fx, fy, cx, cy);
   _invKcam = _Kcam.inverse();
   _Kcam_inverseOffsetR = _Kcam * inverseOffset().linear();
 }

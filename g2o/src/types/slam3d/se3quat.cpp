@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boxplus/manifold/rotation_charts.h"
-#include "boxplus/manifold/sim3_exponential.h"
+#include "boxplus/manifold/se3.h"
 #include "g2o/types/slam3d/isometry3d_mappings.h"
 
 namespace g2o {
 namespace {
 
-/// The matrix V of the exponential map of SE(3). It is the matrix V of Sim(3) for the scale 1, whose
-/// logarithm is 0.
-boxplus::detail::Sim3Coupling<double> coupling(const Vector3& omega) {
-  return boxplus::detail::Sim3Coupling<double>::of(0, omega.squaredNorm());
+/// The same tangent vector with the other order of its halves: the engine has (υ, ω).
+Vector6 swapped(const Vector6& v) {
+  Vector6 result;
+  result << v.tail<3>(), v.head<3>();
+  return result;
 }
 
 }  // namespace
@@ -26,18 +26,13 @@ void SE3Quat::fromMinimalVector(const Vector6& v) {
 }
 
 Vector6 SE3Quat::log() const {
-  const boxplus::Vector3 omega = boxplus::detail::RotationVectorChart::log(
-      boxplus::detail::Quaternion<double>{_r.x(), _r.y(), _r.z(), _r.w()});
-  Vector6 v;
-  v << omega, coupling(omega).inverse(omega.squaredNorm()).apply(omega, _t);
-  return v;
+  return swapped(boxplus::SE3::from_unit(_t, {_r.x(), _r.y(), _r.z(), _r.w()}).log());
 }
 
 SE3Quat SE3Quat::exp(const Vector6& update) {
-  const boxplus::Vector3 omega = update.head<3>(), upsilon = update.tail<3>();
-  const boxplus::detail::Quaternion<double> q =
-      boxplus::detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]);
-  return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), Vector3(coupling(omega).apply(omega, upsilon)));
+  const boxplus::SE3 x = boxplus::SE3::exp(swapped(update));
+  const boxplus::detail::Quaternion<double> q = x.quaternion();
+  return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), x.translation());
 }
 
 namespace internal {

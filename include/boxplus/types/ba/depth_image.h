@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pixels with a measured depth, from a camera that is mounted on a robot.
+//
+// The derivatives are those of the point p in the frame of the camera (types/slam3d/point_observation.h),
+// multiplied by the derivative of the image with respect to p.
 #pragma once
 
 #include <string_view>
 
 #include "boxplus/manifold/product.h"
 #include "boxplus/manifold/se3.h"
-#include "boxplus/types/ba/camera_models.h"
-#include "boxplus/types/pose_math.h"
+#include "boxplus/types/ba/stereo_camera.h"
+#include "boxplus/types/slam3d/point_observation.h"
 
 namespace boxplus {
 
@@ -27,6 +30,7 @@ template <detail::DepthKind kKind>
 struct PixelWithDepth {
   static constexpr std::string_view kName =
       kKind == detail::DepthKind::kDepth ? "DepthImage" : "DisparityImage";
+  static constexpr bool kJacobiansForSomeTypes = true;
   Vector3 measurement;
 
   explicit PixelWithDepth(const Vector3& z) : measurement(z) {}
@@ -38,6 +42,23 @@ struct PixelWithDepth {
     const Vector<S, 2> pixel = camera.template get<1>().project(p);
     const S third = kKind == detail::DepthKind::kDepth ? S(p[2]) : detail::inverse(S(p[2])).value;
     return {pixel[0] - measurement[0], pixel[1] - measurement[1], third - measurement[2]};
+  }
+
+  template <class A, class B, class C>
+  void jacobians(const SE3& pose, const Vector3& point, const Product<SE3, PinholeCamera>& camera, A& J_pose,
+                 B& J_point, C& J_camera) const {
+    const SE3& offset = camera.template get<0>();
+    const Vector3 p = offset.inverse_times(pose.inverse_times(point));
+    const detail::ImageDerivatives<2> by({camera.template get<1>(), 0}, p);
+    Matrix<double, 3, 3> J;
+    J << by.by_point(), 0, 0, kKind == detail::DepthKind::kDepth ? 1 : detail::inverse(p[2]).slope;
+    auto J_offset = J_camera.template leftCols<6>();
+    OffsetPointObservation3(p).jacobians(pose, point, offset, J_pose, J_point, J_offset);
+    J_pose = (J * J_pose).eval();
+    J_point = (J * J_point).eval();
+    J_offset = (J * J_offset).eval();
+    J_camera.template rightCols<4>() << by.by_parameters().template leftCols<4>(),
+        Matrix<double, 1, 4>::Zero();
   }
 };
 

@@ -47,6 +47,12 @@ Inverse<S> inverse(const S& x) {
   constexpr double kScale = 1 / (kSmallDivisor * kSmallDivisor);
   const S square = x * x * kScale;
   const auto is_large = square >= 1.0;
+  if constexpr (std::is_same_v<S, double>) {
+    if (is_large) [[likely]] {
+      const double exact = 1 / x;
+      return {exact, -exact * exact};
+    }
+  }
   const S exact = 1.0 / choose(is_large, x, S(1.0));
   return {choose(is_large, exact, S(x * kScale * (2.0 - square))),
           choose(is_large, S(-exact * exact), S(kScale * (2.0 - 3.0 * square)))};

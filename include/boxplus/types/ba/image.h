@@ -22,11 +22,11 @@ namespace detail {
 template <class Chart>
 inline constexpr double kAngleUnit = std::is_same_v<Chart, QuaternionChart> ? 2 : 1;
 
-/// J_pose ← J ∂(X⁻¹ l)/∂X for b = X⁻¹ l.
+/// J_pose ← the derivatives by the pose.
 template <class Chart, int Rows, class A>
-void image_by_pose(const Matrix<double, Rows, 3>& J, const Vector3& b, A&& J_pose) {
-  J_pose.template leftCols<3>() = -J;
-  J_pose.template rightCols<3>() = kAngleUnit<Chart> * J * cross_matrix(b[0], b[1], b[2]);
+void image_by_pose(const ImageDerivatives<Rows>& by, A&& J_pose) {
+  by.by_pose(J_pose.template leftCols<3>(), J_pose.template rightCols<3>());
+  if constexpr (kAngleUnit<Chart> != 1) J_pose.template rightCols<3>() *= kAngleUnit<Chart>;
 }
 
 template <int Rows>
@@ -93,9 +93,9 @@ struct PointImage {
                                       const detail::StereoPinhole<double>& camera, A& J_point, B& J_pose) {
     const Vector3 b = pose.inverse_times(point);
     const detail::ImageDerivatives<Rows> by(camera, b);
-    detail::image_by_pose<Chart, Rows>(by.by_point, b, J_pose);
-    J_point = by.by_point * pose.rotation().transpose();
-    return by.by_parameters;
+    detail::image_by_pose<Chart>(by, J_pose);
+    by.by_rotated_point(pose.rotation().transpose(), J_point);
+    return by.by_parameters();
   }
 };
 
@@ -123,8 +123,8 @@ struct CalibratedPointImage {
   void jacobians(const Vector3& point, const BasicSE3<double, Chart>& pose, A& J_point, B& J_pose) const {
     const Vector3 b = pose.inverse_times(point);
     const detail::ImageDerivatives<Rows> by({camera, bf}, b);
-    detail::image_by_pose<Chart, Rows>(by.by_point, b, J_pose);
-    J_point = by.by_point * pose.rotation().transpose();
+    detail::image_by_pose<Chart>(by, J_pose);
+    by.by_rotated_point(pose.rotation().transpose(), J_point);
   }
 };
 
@@ -151,8 +151,8 @@ struct KnownPointImage {
 
   template <class Chart, class A>
   void jacobians(const BasicSE3<double, Chart>& pose, A& J_pose) const {
-    const Vector3 b = pose.inverse_times(point);
-    detail::image_by_pose<Chart, Rows>(detail::ImageDerivatives<Rows>({camera, bf}, b).by_point, b, J_pose);
+    const detail::ImageDerivatives<Rows> by({camera, bf}, pose.inverse_times(point));
+    detail::image_by_pose<Chart>(by, J_pose);
   }
 };
 

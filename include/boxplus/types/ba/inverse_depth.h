@@ -38,14 +38,15 @@ struct InverseDepthImage {
     const BasicSE3<double, Chart> motion = pose.inverse_times(anchor);
     const Vector3 h = direction(psi, motion);
     const detail::ImageDerivatives<2> by(camera.pinhole(), h);
-    const Matrix<double, 2, 3>& J = by.by_point;
+    const Matrix<double, 2, 3> J = by.by_point();
+    const Matrix<double, 2, 5> J_parameters = by.by_parameters();
     const Matrix<double, 2, 3> JR = J * motion.rotation();
     constexpr double kUnit = detail::kAngleUnit<Chart>;
     J_psi << JR.template leftCols<2>(), J * motion.translation();
     J_pose << -psi[2] * J, kUnit * J * detail::cross_matrix(h[0], h[1], h[2]);
     J_anchor << psi[2] * JR, -kUnit * JR * detail::cross_matrix(psi[0], psi[1], 1);
-    J_camera.col(0) = by.by_parameters.col(0) + by.by_parameters.col(1);
-    J_camera.template middleCols<2>(1) = by.by_parameters.template middleCols<2>(2);
+    J_camera.col(0) = J_parameters.col(0) + J_parameters.col(1);
+    J_camera.template middleCols<2>(1) = J_parameters.template middleCols<2>(2);
     J_camera.col(3).setZero();
   }
 

@@ -32,27 +32,85 @@ struct StereoPinhole {
   }
 };
 
-/// The derivatives of image<Rows>(): by p, and by fx, fy, cx, cy, bf.
+/// The derivatives of StereoPinhole::image<Rows>() at a point p. With s = 1/p_z and its slope s′ (inverse()),
+/// the rows of D = ∂image/∂p are
+///   u: (fx s, 0, fx p_x s′)
+///   v: (0, fy s, fy p_y s′)
+///   u in the second camera: (fx s, 0, fx p_x s′ − bf s′)
+/// BasicCamera::project() has the same derivatives, by the formulas of all lenses. These are faster, because
+/// they leave out the zeros.
 template <int Rows>
-struct ImageDerivatives {
-  Matrix<double, Rows, 3> by_point;
-  Matrix<double, Rows, 5> by_parameters;
+class ImageDerivatives {
+  static_assert(Rows == 2 || Rows == 3);
 
-  ImageDerivatives(const StereoPinhole<double>& camera, const Vector3& p) {
-    Matrix<double, 2, 3> J_point;
-    Matrix<double, 2, 4> J_first;
-    camera.first.project(p, J_point, J_first);
-    by_point.template topRows<2>() = J_point;
-    by_parameters.setZero();
-    by_parameters.template topLeftCorner<2, 4>() = J_first;
-    if constexpr (Rows == 3) {
-      const Inverse<double> depth = inverse(p[2]);
-      by_point.row(2) = by_point.row(0);
-      by_point(2, 2) -= camera.bf * depth.slope;
-      by_parameters.row(2) = by_parameters.row(0);
-      by_parameters(2, 4) = -depth.value;
+ public:
+  ImageDerivatives(const StereoPinhole<double>& camera, const Vector3& p) : x_(p[0]), y_(p[1]), z_(p[2]) {
+    const Inverse<double> depth = inverse(z_);
+    const double fx = camera.first.parameters[0], fy = camera.first.parameters[1];
+    inverse_ = depth.value;
+    u_by_x_ = fx * depth.value;
+    v_by_y_ = fy * depth.value;
+    u_by_z_ = fx * (depth.slope * x_);
+    v_by_z_ = fy * (depth.slope * y_);
+    if constexpr (Rows == 3) second_by_z_ = u_by_z_ - camera.bf * depth.slope;
+  }
+
+  /// D.
+  Matrix<double, Rows, 3> by_point() const {
+    Matrix<double, Rows, 3> J;
+    J.template topRows<2>() << u_by_x_, 0, u_by_z_, 0, v_by_y_, v_by_z_;
+    if constexpr (Rows == 3) J.row(2) << u_by_x_, 0, second_by_z_;
+    return J;
+  }
+
+  /// J ← D R: the derivatives by x, for p = R x + t.
+  template <class A>
+  void by_rotated_point(const Matrix<double, 3, 3>& R, A&& J) const {
+    for (int j = 0; j < 3; ++j) {
+      J(0, j) = u_by_x_ * R(0, j) + u_by_z_ * R(2, j);
+      J(1, j) = v_by_y_ * R(1, j) + v_by_z_ * R(2, j);
+      if constexpr (Rows == 3) J(2, j) = u_by_x_ * R(0, j) + second_by_z_ * R(2, j);
     }
   }
+
+  /// J_t ← −D and J_omega ← D [p]×: the derivatives by the pose X of the camera, for p = X⁻¹ l, in the
+  /// tangent (Δt, ω) of SE3RotationVector.
+  template <class A, class B>
+  [[gnu::always_inline]] void by_pose(A&& J_t, B&& J_omega) const {
+    J_t(0, 0) = -u_by_x_;
+    J_t(0, 1) = 0;
+    J_t(0, 2) = -u_by_z_;
+    J_t(1, 0) = 0;
+    J_t(1, 1) = -v_by_y_;
+    J_t(1, 2) = -v_by_z_;
+    J_omega(0, 0) = -u_by_z_ * y_;
+    J_omega(0, 1) = u_by_z_ * x_ - u_by_x_ * z_;
+    J_omega(0, 2) = u_by_x_ * y_;
+    J_omega(1, 0) = v_by_y_ * z_ - v_by_z_ * y_;
+    J_omega(1, 1) = v_by_z_ * x_;
+    J_omega(1, 2) = -v_by_y_ * x_;
+    if constexpr (Rows == 3) {
+      J_t(2, 0) = -u_by_x_;
+      J_t(2, 1) = 0;
+      J_t(2, 2) = -second_by_z_;
+      J_omega(2, 0) = -second_by_z_ * y_;
+      J_omega(2, 1) = second_by_z_ * x_ - u_by_x_ * z_;
+      J_omega(2, 2) = u_by_x_ * y_;
+    }
+  }
+
+  /// The derivatives by fx, fy, cx, cy, bf.
+  Matrix<double, Rows, 5> by_parameters() const {
+    const double u = x_ * inverse_, v = y_ * inverse_;
+    Matrix<double, Rows, 5> J;
+    J.template topRows<2>() << u, 0, 1, 0, 0, 0, v, 0, 1, 0;
+    if constexpr (Rows == 3) J.row(2) << u, 0, 1, 0, -inverse_;
+    return J;
+  }
+
+ private:
+  double x_, y_, z_, inverse_;
+  double u_by_x_, v_by_y_, u_by_z_, v_by_z_, second_by_z_;
 };
 
 /// The manifold of a Point<S> with four `parameters`, to which ⊞ adds. All other members are constants.
