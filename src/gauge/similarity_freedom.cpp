@@ -224,6 +224,7 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   const double least = 1e-12 * sum.trace();
   const MatrixXd moves = eigenvectors_of(sum, [&](double squared) { return squared > least; });
   MatrixXd candidates = MatrixXd::Zero(world + own, moves.cols() + own);
+  if (candidates.cols() == 0) return candidates;
   candidates.topLeftCorner(world, moves.cols()) = moves;
   candidates.bottomRightCorner(own, own).setIdentity();
   return candidates;
@@ -258,7 +259,7 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     Eigen::Index row = 0;
     ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
       const MatrixXd& of_vertex = tangents_[ends_.index(v)];
-      tangents.middleRows(row, of_vertex.rows()) = of_vertex;
+      if (of_vertex.size() > 0) tangents.middleRows(row, of_vertex.rows()) = of_vertex;
       row += graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
     });
     changes.noalias() = jacobian * tangents;

@@ -61,6 +61,7 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
   for (std::uint32_t block = eliminated_; block < structure.blocks(); ++block)
     dims.push_back(structure.dim(block));
   std::size_t factor_values = 0;
+  factor_start_.reserve(eliminated_);
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     factor_start_.push_back(static_cast<std::uint32_t>(factor_values));
     factor_values += std::size_t{structure.dim(e)} * structure.dim(e);
@@ -81,6 +82,13 @@ void Schur::set_targets(PacedStop& pace) {
   reduced_values_.resize(reduced_.nonzero_values());
   const BlockStructure& structure = *structure_;
   const FirstValues first_value(reduced_);
+  std::size_t pairs = 0;
+  for (std::uint32_t column = 0; column < eliminated_; ++column) {
+    const std::size_t blocks = structure.column_start[column + 1] - structure.column_start[column] - 1;
+    pairs += blocks * (blocks + 1) / 2;
+  }
+  pair_target_.reserve(pairs);
+  kept_target_.reserve(structure.column_start[structure.blocks()] - structure.column_start[eliminated_]);
   for (std::uint32_t column = 0; column < structure.blocks(); ++column) {
     const std::uint32_t begin = structure.column_start[column], end = structure.column_start[column + 1];
     for (std::uint32_t a = column < eliminated_ ? begin + 1 : begin; a < end; ++a) {
