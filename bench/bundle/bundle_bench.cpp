@@ -3,7 +3,6 @@
 // bench/RESULTS.md.
 //
 //     bundle_bench FOLDER          compares on the BAL files of FOLDER/bal
-//     bundle_bench FOLDER robust   compares only runs with Huber's loss
 //     bundle_bench collections     compares on photo collections only
 //     bundle_bench ceres FILE      optimizes FILE once by Ceres with DENSE_SCHUR, to measure its memory
 #include <fmt/core.h>
@@ -22,7 +21,6 @@
 #include <vector>
 
 #include "boxplus/boxplus.h"
-#include "boxplus/robust/default_width.h"
 #include "boxplus/testing/simulate_bundle.h"
 #include "bundle/bundle_forms.h"
 #include "bundle/ceres_bundle.h"
@@ -206,43 +204,6 @@ void compare_all_forms(const std::filesystem::path& folder) {
   compare_forms("street", street());
 }
 
-/// Runs with Huber's loss, until the cost is within 1e-5 of the lowest one.
-void compare_robust(const std::filesystem::path& folder) {
-  constexpr double kClose = 1e-5;
-  const double width = default_width(2);
-  fmt::print(
-      "\n### Huber's loss\n\n"
-      "Each observation has Huber's loss with a width of {:.3f} pixels. Time until the cost is within 1e-5 "
-      "of\n"
-      "the lowest one, with one thread and automatic derivatives in Ceres.\n\n"
-      "| file | solver | ms | iterations | cost | × |\n|---|---|--:|--:|--:|--:|\n",
-      width);
-  for (const BundleFile& file : kFiles) {
-    const std::filesystem::path path = folder / "bal" / file.name;
-    if (!std::filesystem::exists(path)) continue;
-    const BundleProblem problem = read_bundle_problem(path);
-    Graph ours = read_graph(path).graph;
-    for (const EdgeRef& edge : ours.all_edges()) ours.set_kernel(edge, make_robust_kernel("Huber", width));
-    const double target = run_ours(ours, 1, 0).cost * (1 + kClose);
-    CeresBundle ceres(problem, false, width);
-    std::vector<std::string> names{"boxplus"};
-    std::vector<Contestant> contestants{
-        [&] { return figures_of(run_ours(ours, 1, target), static_cast<double>(ours.edge_count())); }};
-    for (const CeresBundleSettings& settings : kSettings) {
-      if (settings.analytic) continue;
-      names.push_back("Ceres, " + std::string(settings.name));
-      contestants.emplace_back([&, settings] {
-        return figures_of(ceres.run(settings.solver, 1, target), static_cast<double>(ours.edge_count()));
-      });
-    }
-    const std::vector<Figures> medians =
-        interleaved_medians(contestants, {.least = 3, .most = 7, .enough_s = 30});
-    for (std::size_t k = 0; k < medians.size(); ++k)
-      fmt::print("| {} | {} | {:.1f} | {:.0f} | {:.4f} | {:.2f} |\n", file.name, names[k],
-                 1e3 * medians[k][0], medians[k][2], medians[k][1], medians[k][0] / medians[0][0]);
-  }
-}
-
 void compare_memory(const std::string& programs, const std::filesystem::path& folder) {
   fmt::print(
       "\n### Memory\n\n"
@@ -351,10 +312,6 @@ int main(int count, char** words) try {
     compare_collections();
     return 0;
   }
-  if (count == 3 && std::string(words[2]) == "robust") {
-    compare_robust(words[1]);
-    return 0;
-  }
   if (count != 2) {
     fmt::print(stderr, "bundle_bench: expected the folder of the data\n");
     return 2;
@@ -363,7 +320,6 @@ int main(int count, char** words) try {
   const std::filesystem::path folder = words[1];
   const std::string programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   compare_all(folder);
-  compare_robust(folder);
   compare_all_forms(folder);
   compare_memory(programs, folder);
   show_growth(programs);

@@ -115,17 +115,15 @@ struct CeresBundle::Model {
   ceres::Problem problem;
 };
 
-CeresBundle::CeresBundle(const BundleProblem& problem, bool analytic, double huber_width)
-    : model_(std::make_unique<Model>()) {
+CeresBundle::CeresBundle(const BundleProblem& problem, bool analytic) : model_(std::make_unique<Model>()) {
   Model& model = *model_;
   model.cameras = model.first_cameras = problem.cameras;
   model.points = model.first_points = problem.points;
-  ceres::LossFunction* const loss = huber_width > 0 ? new ceres::HuberLoss(huber_width) : nullptr;
   for (const auto& [camera, point, x, y] : problem.observations) {
     ceres::CostFunction* cost =
         analytic ? static_cast<ceres::CostFunction*>(new AnalyticPixelError(x, y))
                  : new ceres::AutoDiffCostFunction<PixelError, 2, 9, 3>(new PixelError{x, y});
-    model.problem.AddResidualBlock(cost, loss, model.cameras[camera].data(), model.points[point].data());
+    model.problem.AddResidualBlock(cost, nullptr, model.cameras[camera].data(), model.points[point].data());
   }
 }
 

@@ -20,8 +20,7 @@ struct CeresBundleSettings {
 
 class __attribute__((visibility("default"))) CeresBundle {
  public:
-  /// With a positive `huber_width` in pixels, each observation has a Huber loss of this width.
-  CeresBundle(const BundleProblem& problem, bool analytic, double huber_width = 0);
+  CeresBundle(const BundleProblem& problem, bool analytic);
   ~CeresBundle();
   /// Solves the problem from its start. The run ends when the cost is at most `target`.
   BundleRun run(CeresBundleSettings::Solver solver, int threads, double target);

@@ -26,7 +26,7 @@ using Task = FunctionRef<void(int)>;
 
 constexpr auto kSpin = std::chrono::microseconds(50);
 
-/// True on a worker, and on the calling thread while it runs its own tasks. If a task calls parallel_tasks(),
+/// True on a worker, and on the calling thread during its call. If a task calls parallel_tasks(),
 /// that call uses no other threads.
 thread_local bool inside_task = false;
 
@@ -69,9 +69,10 @@ std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
 /// A thread that lives as long as the process, with a mailbox for one task at a time.
 ///
 /// posted_, begun_ and done_ count the tasks. The owner posts the next task only after finish(). Whoever
-/// raises begun_ to posted_ runs the task: the thread, or the owner. posted_ and done_ change only under the
-/// mutex, so that a sleeping thread misses no change. A spinning thread reads the counters without the mutex.
-/// Because the counters are atomic, a thread that reads a new count also reads the new task_ or failure_.
+/// raises begun_ to posted_ runs the task: the thread, or the owner. posted_ changes only under the mutex,
+/// and so does done_ when the thread ends a task, so that a sleeping thread misses no change. A spinning
+/// thread reads the counters without the mutex. Because the counters are atomic, a thread that reads a new
+/// count also reads the new task_ or failure_.
 class Worker {
  public:
   explicit Worker(int index) {

@@ -28,9 +28,9 @@ void add_resistance(const MatrixXd& changes, const VectorXd& magnitudes, MatrixX
 SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
                                const EdgeEnds& ends, const StopToken& stop)
     : graph_(graph),
-      movable_(movable),
       ends_(ends),
       stop_(stop),
+      own_(own_directions(graph, movable)),
       kind_of_(ends.slots()),
       tangents_(ends.slots()) {
   for (const auto& pool : graph.vertex_pools()) roles_.emplace_back(pool->slots(), WorldRole::kNone);
@@ -69,14 +69,15 @@ void SimilarityTest::select(std::span<const VertexSlot> vertices, std::span<cons
 
 SimilarityFreedom SimilarityTest::find(int dimension, Extent extent) {
   constexpr double kInWorld = 1e-6;
+  if (std::ranges::none_of(kinds_, [&](const Kind& kind) { return kind.dimension == dimension; })) return {};
   choose_roles(dimension);
   assign_roles(vertices_, dimension);
   SimilarityFreedom freedom;
   if (extent == Extent::kAllEdges) {
-    freedom = free_motions(vertices_, edges_, dimension, own_directions());
+    freedom = free_motions(vertices_, edges_, dimension, own_);
   } else {
     const std::vector<EdgeSlot> tested = sample(kTestedEdges);
-    freedom = free_motions(moving_ends(tested), tested, dimension, own_directions());
+    freedom = free_motions(moving_ends(tested), tested, dimension, own_);
   }
   if (freedom.motions.own.empty()) return freedom;
   // Motions of vertices without a frame alone are no similarities.
@@ -151,13 +152,14 @@ std::vector<VertexSlot> SimilarityTest::moving_ends(std::span<const EdgeSlot> ed
 }
 
 /// The directions of all moving vertices without a frame; none if there are too many.
-std::vector<OwnDirection> SimilarityTest::own_directions() const {
+std::vector<OwnDirection> SimilarityTest::own_directions(
+    const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable) {
   std::vector<OwnDirection> own;
-  for (std::uint32_t p = 0; p < movable_.size(); ++p) {
-    const detail::VertexPool& pool = *graph_.vertex_pools()[p];
-    for (std::uint32_t slot = 0; slot < movable_[p].size(); ++slot) {
+  for (std::uint32_t p = 0; p < movable.size(); ++p) {
+    const detail::VertexPool& pool = *graph.vertex_pools()[p];
+    for (std::uint32_t slot = 0; slot < movable[p].size(); ++slot) {
       detail::Frame frame;
-      if (!movable_[p][slot]) continue;
+      if (!movable[p][slot]) continue;
       if (pool.get_frame(slot, frame)) break;  // all vertices of a pool have one type
       const auto fixed = pool.fixed_directions(slot);
       for (int i = 0; i < pool.tangent_dim(slot); ++i) {

@@ -81,7 +81,8 @@ class SimilarityTest {
   void choose_roles(int dimension);
   std::vector<EdgeSlot> sample(std::size_t count) const;
   std::vector<VertexSlot> moving_ends(std::span<const EdgeSlot> edges) const;
-  std::vector<OwnDirection> own_directions() const;
+  static std::vector<OwnDirection> own_directions(const Graph& graph,
+                                                  const std::vector<std::vector<std::uint8_t>>& movable);
   SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                  int dimension, std::vector<OwnDirection> own);
   WorldMotions motions_about_center(std::span<const VertexSlot> vertices, int dimension) const;
@@ -90,9 +91,9 @@ class SimilarityTest {
                              const WorldMotions& motions, Eigen::MatrixXd candidates) const;
 
   const Graph& graph_;
-  const std::vector<std::vector<std::uint8_t>>& movable_;
   const EdgeEnds& ends_;
   const StopToken& stop_;
+  const std::vector<OwnDirection> own_;  // the directions that may change along with the world
   std::span<const VertexSlot> vertices_;
   std::span<const EdgeSlot> edges_, anchors_;
   DisjointSets kind_of_;  // by EdgeEnds::index()

@@ -2,6 +2,7 @@
 #include "linearize/accumulate.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/kernel_table.h"
 
@@ -172,11 +173,12 @@ EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   if (kernel == nullptr) return {};
   const RobustKernel::Rho rho = (*kernel)(e2);
   EdgeWeight weight{rho.first < 0 ? 0 : rho.first, 0};  // NaN stays NaN
-  if (triggs && e2 > 0) {
+  if (triggs && e2 > 0 && weight.first > 0) {
     constexpr double kRounding = 1e-9;
-    const double along_error = weight.first + 2 * rho.second * e2, least = kLeastCurvature * weight.first;
-    const bool is_concave = along_error < -kRounding * weight.first;
-    if (!is_concave) weight.second = ((along_error < least ? least : along_error) - weight.first) / e2;
+    const double along_error = weight.first + 2 * rho.second * e2;
+    const bool is_corrected = std::isfinite(along_error) && along_error >= -kRounding * weight.first;
+    if (is_corrected)
+      weight.second = (std::max(along_error, kLeastCurvature * weight.first) - weight.first) / e2;
   }
   return weight;
 }

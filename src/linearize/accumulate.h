@@ -13,7 +13,8 @@
 namespace boxplus {
 
 /// The weights of one edge. The weights replace the edge's Ω by first · Ω + second · Ωe eᵀΩ. `first` is
-/// max(0, ρ′). `second` is Triggs' correction 2ρ″ (LinearizeOptions).
+/// max(0, ρ′). `second` is Triggs' correction: 2ρ″, within its bounds (LinearizeOptions), and 0 if ρ″ is not
+/// finite.
 struct EdgeWeight {
   double first = 1;
   double second = 0;

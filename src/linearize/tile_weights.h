@@ -3,7 +3,7 @@
 //
 // The correction of Triggs adds a rank-one term to H: ρ′ JᵀΩJ + 2ρ″ JᵀΩe eᵀΩJ. Instead of it, the Jacobian
 // and the error of the edge are changed: with J′ = (I + β e eᵀΩ) J and e′ = e / r, r = √(1 + 2ρ″ e² / ρ′), β
-// = (r − 1) / e², e² = eᵀΩe, the term is ρ′ J′ᵀΩJ′, and the gradient ρ′ J′ᵀΩe′ is still ρ′ JᵀΩe (Triggs et
+// = (r − 1) / e², e² = eᵀΩe, the sum is ρ′ J′ᵀΩJ′, and the gradient ρ′ J′ᵀΩe′ is still ρ′ JᵀΩe (Triggs et
 // al., 2000, §4.3). So all code for weighted edges works.
 #pragma once
 

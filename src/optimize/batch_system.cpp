@@ -86,11 +86,6 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
   bounds_.read(*graph_, *plan_);
 }
 
-void BatchSystem::set_triggs_correction(bool triggs_correction) {
-  linearize_options_.triggs_correction = triggs_correction;
-  precise_.set_options(linearize_options_);
-}
-
 double BatchSystem::chi2() {
   const ScopedTimer adder(timings_->evaluate_s);
   last_chi2_ = linearizer_.chi2();

@@ -55,9 +55,6 @@ class BatchSystem final : public System {
   void reject() override;
   bool stopped() const override { return stopped_; }
 
-  /// Whether the following linearizations add Triggs' correction (LinearizeOptions). configure() sets this to
-  /// Options::triggs_correction.
-  void set_triggs_correction(bool triggs_correction);
   /// If the factor in double loses a pivot, and some edge is stiff (linearize/stiff_edge.h), solve() computes
   /// the step in double-double, as long as such steps are affordable. After set_precise(true), it does so in
   /// every case.

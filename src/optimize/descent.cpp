@@ -39,9 +39,6 @@ bool is_above(double start, double chi2, std::size_t unknowns) {
   return chi2 > (1 + kRelative) * start + kExact * static_cast<double>(unknowns);
 }
 
-/// A run is near a minimum if chi2 falls by less than this fraction of itself in an iteration.
-constexpr double kNear = 3e-3;
-
 /// The relative rounding error of chi2, which is a sum.
 constexpr double kChi2Rounding = 1e-13;
 
@@ -109,7 +106,6 @@ RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> w
 RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   algorithm_->reset(options_, system_.plan().scalars());
   RunResult result = iterate_to_end(wanted, chi2);
-  system_.set_triggs_correction(options_.triggs_correction);
   if (result.status == Report::Status::kConverged && is_above(chi2, result.chi2, system_.gradient().size())) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRaisedChi2;
@@ -122,8 +118,6 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
 RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
   Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());
-  const bool checks_steps = options_.algorithm != AlgorithmKind::kGaussNewton;
-  bool is_near_minimum = false;
   for (int iteration = 0;; ++iteration) {
     if (stop_.raised()) return {Report::Status::kNotConverged, reason_of(stop_), chi2, iteration};
     if (iteration >= most)
@@ -132,7 +126,6 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
     system_.begin_iteration();
-    system_.set_triggs_correction(options_.triggs_correction || (is_near_minimum && checks_steps));
     const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
     system_.expect_no_trial();
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
@@ -147,7 +140,6 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     chi2 = record.chi2;
     const double variance = std::min(before, chi2) / std::max(1.0, degrees_of_freedom_);
     const double step = system_.step_in_deviations() / std::sqrt(variance);
-    is_near_minimum = record.chi2_decrease <= kNear * chi2;
     const bool goes_on = call_back(record) && wanted(record);
     if (const auto reason = convergence(options_, record, before, step, unknowns, cut_short))
       return {Report::Status::kConverged, *reason, chi2, iteration + 1};

@@ -18,8 +18,6 @@ class PreciseSolver {
 
   /// Begins a run.
   void configure(const LinearizeOptions& options, const StopToken& stop);
-  /// Call it before forget().
-  void set_options(const LinearizeOptions& options) { options_ = options; }
   /// Call it when the estimates change.
   void forget();
   /// Call it when the plan changes. Implies forget().

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include "boxplus/manifold/rn.h"
@@ -158,6 +159,24 @@ TEST(Linearizer, ComputesTheExactHessianOfAKernelWithTriggsCorrectionIfThisHessi
   EXPECT_NEAR(hessian, 0.75 / (1.25 * 1.25), 1e-15);
   EXPECT_NEAR(gradient, 0.5 / 1.25, 1e-15);
   EXPECT_NEAR(one_edge(0.5, Cauchy(1), false).first, 1 / 1.25, 1e-15);
+}
+
+/// A custom kernel that does not know its second derivative.
+class WithoutSecondDerivative final : public RobustKernel {
+ public:
+  Rho operator()(double e2) const override {
+    const Rho rho = Huber(1)(e2);
+    return {rho.value, rho.first, std::numeric_limits<double>::quiet_NaN()};
+  }
+  std::string_view name() const override { return "WithoutSecondDerivative"; }
+  double delta() const override { return 1; }
+  std::unique_ptr<RobustKernel> clone() const override {
+    return std::make_unique<WithoutSecondDerivative>(*this);
+  }
+};
+
+TEST(Linearizer, MakesNoTriggsCorrectionWhereTheSecondDerivativeOfAKernelIsNotFinite) {
+  EXPECT_EQ(one_edge(3, WithoutSecondDerivative(), true), one_edge(3, Huber(1), false));
 }
 
 TEST(Linearizer, MakesNoTriggsCorrectionWhereAKernelIsConcave) {

@@ -22,9 +22,8 @@ struct VectorLayout;
 struct LinearizeOptions {
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for
-  /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J. The curvature along e is at least 1e-4 of that of ρ′Ω. Where
-  /// ρ is concave along e, there is no such term, because no term could describe ρ there, and still be
-  /// positive.
+  /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J. The curvature along e is at least 1e-4 of that of ρ′Ω. There
+  /// is no such term where ρ is concave along e, or ρ″ is not finite.
   bool triggs_correction = false;
 };
 

@@ -121,10 +121,7 @@ struct Options {
   /// below 0.1 are raised to 0.1.
   double linear_tolerance = 0;
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
-  /// Adds the second-order term of robust kernels (see LinearizeOptions) in all iterations. Otherwise, adds
-  /// it when chi2 has fallen by less than 0.3 % in an iteration: far from a minimum, the term would make too
-  /// long steps; near a minimum, steps without it are too short. (Gauss-Newton adds it only if this is true.)
-  bool triggs_correction = false;
+  bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)
 
   /// LinearSolverKind::kAutomatic chooses pcg if a Cholesky factor would take more memory than this; 0: half
   /// of the machine's memory. (It also chooses pcg if a factorization would take far longer.)
