@@ -128,7 +128,7 @@ bool VertexCam::setMinimalEstimateDataImpl(const double* est) {
 }
 
 VertexIntrinsics::VertexIntrinsics() {
-  setToOriginImpl();
+  VertexIntrinsics::setToOriginImpl();
 }
 
 void VertexIntrinsics::setToOriginImpl() {
