@@ -104,7 +104,6 @@ inline void expect_quadratic_form(g2o::OptimizableGraph::Edge& e, bool transpose
       expect_sum(transposed ? g2o::MatrixX(pairs[at].transpose()) : pairs[at], 5, shared);
     }
   }
-  at = 0;
   for (size_t j = 0; j < n; ++j) {
     vertex(e, j).setFixed(false);
     vertex(e, j).mapHessianMemory(nullptr);

@@ -154,11 +154,11 @@ TEST(Sba, AnAlgorithmDoesNotTakeAStepThatASimilarityRefuses) {
     e->setMeasurement(1e4);
     e->setInformation(Eigen::Matrix<double, 1, 1>::Identity());
     ASSERT_TRUE(optimizer.addEdge(e));
-    auto* prior = new g2o::EdgeSim3;
     auto* origin = new g2o::VertexSim3Expmap;
     origin->setId(1);
     origin->setFixed(true);
     ASSERT_TRUE(optimizer.addVertex(origin));
+    auto* prior = new g2o::EdgeSim3;
     prior->setVertex(0, origin);
     prior->setVertex(1, v);
     prior->setInformation(1e-6 * g2o::Matrix7::Identity());
