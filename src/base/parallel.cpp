@@ -95,8 +95,9 @@ class Worker {
   /// its exception, if any.
   std::exception_ptr finish(int index) {
     if (begin(posted_.load())) {
+      std::exception_ptr failure = run_here(*task_, index, index + 1);
       done_.store(posted_.load());
-      return run_here(*task_, index, index + 1);
+      return failure;
     }
     spin_then_sleep(mutex_, finished_, [this] { return done_.load() == posted_.load(); });
     return std::exchange(failure_, nullptr);

@@ -344,10 +344,9 @@ std::optional<EdgeRef> Linearizer::find_non_finite_jacobian(const LinearizeOptio
       tile.jacobian = jacobian.data();
       pool.linearize(std::span(&edge, 1), tile, options.numeric_jacobians);
       const double e2 = pool.information(edge, shape.rows).squared_norm(error.data());
-      const EdgeWeight weight = edge_weight(pool.kernel(edge), e2, options.triggs_correction);
-      const bool is_finite = all_finite(jacobian) && all_finite(error) && std::isfinite(weight.first) &&
-                             std::isfinite(weight.second);
-      if (!is_finite) return EdgeRef{list.pool, edge, pool.generation(edge)};
+      const double weight = edge_weight(pool.kernel(edge), e2, false).first;
+      if (!all_finite(jacobian) || !all_finite(error) || !std::isfinite(weight))
+        return EdgeRef{list.pool, edge, pool.generation(edge)};
     }
   }
   return std::nullopt;

@@ -24,8 +24,8 @@ inline void prefetch(const void* object, std::size_t bytes) {
 #endif
 }
 
-/// An edge is prefetched this number of edges before its turn. Its vertices follow later, because only an
-/// edge that has arrived tells where they are.
+/// An edge is prefetched this number of edges before its turn. Its vertices are prefetched later, when the
+/// edge is in the cache, because their addresses are in the edge.
 inline constexpr int kEdgesAhead = 6, kVerticesAhead = 3;
 
 /// Calls f for each edge. Meanwhile, prefetches the next edges and their vertices, because each of them is a
