@@ -8,60 +8,54 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// The widest vector of at most N doubles that this instruction set has.
-template <int N>
-struct ColumnPart {
-#if defined(__GNUC__)
-  static constexpr int kWidth = N >= kLanes ? kLanes : (N >= 4 && kLanes > 4) ? 4 : N >= 2 ? 2 : 1;
-  typedef double Type __attribute__((vector_size(kWidth * sizeof(double))));
-#else
-  static constexpr int kWidth = 1;
-  using Type = double;
-#endif
-};
-
-/// N consecutive doubles in registers. Loads and stores access no memory beyond these N doubles.
+/// N consecutive doubles in registers, in as few vectors as possible: the last vector may overlap with the
+/// one before it. Loads and stores access no memory beyond these N doubles.
 template <int N>
 struct Column {
-  static constexpr int kWidth = ColumnPart<N>::kWidth;
-  typename ColumnPart<N>::Type part;
-  Column<N - kWidth> rest;
+#if defined(__GNUC__)
+  static constexpr int kWidth = N >= kLanes ? kLanes : (N >= 4 && kLanes > 4) ? 4 : N >= 2 ? 2 : 1;
+  typedef double Part __attribute__((vector_size(kWidth * sizeof(double))));
+#else
+  static constexpr int kWidth = 1;
+  using Part = double;
+#endif
+  static constexpr int kParts = (N + kWidth - 1) / kWidth;
+  Part parts[kParts];
+
+  /// The first double of a part.
+  static constexpr int begin(int part) {
+    return part < kParts - 1 ? part * kWidth : N - kWidth;
+  }
 
   void load(const double* from) {
-    __builtin_memcpy(&part, from, sizeof(part));
-    rest.load(from + kWidth);
+    for_each_index<kParts>([&](auto k) __attribute__((always_inline)) {
+      __builtin_memcpy(&parts[k], from + begin(k), sizeof(Part));
+    });
   }
   void store(double* to) const {
-    __builtin_memcpy(to, &part, sizeof(part));
-    rest.store(to + kWidth);
+    for_each_index<kParts>([&](auto k) __attribute__((always_inline)) {
+      __builtin_memcpy(to + begin(k), &parts[k], sizeof(Part));
+    });
   }
   void subtract(const Column& other, double factor) {
-    part -= other.part * factor;
-    rest.subtract(other.rest, factor);
+    for_each_index<kParts>([&](auto k)
+                               __attribute__((always_inline)) { parts[k] -= other.parts[k] * factor; });
   }
   void scale(double factor) {
-    part *= factor;
-    rest.scale(factor);
+    for_each_index<kParts>([&](auto k) __attribute__((always_inline)) { parts[k] *= factor; });
   }
-};
-template <>
-struct Column<0> {
-  void load(const double*) {}
-  void store(double*) const {}
-  void subtract(const Column&, double) {}
-  void scale(double) {}
 };
 
 /// Y = W L⁻ᵀ. The diagonal of L contains the reciprocals of its entries.
 template <int R, int N>
-void whitened_block(int, int, const double* l, const double* w, double* y) {
+void whitened_block(int, int, const double* l, const double* w, double* y, int y_stride) {
   Column<R> columns[N];
   for_each_index<N>([&](auto p) __attribute__((always_inline)) {
     columns[p].load(w + p * R);
     for_each_index<p>([&](auto q)
                           __attribute__((always_inline)) { columns[p].subtract(columns[q], l[p + q * N]); });
     columns[p].scale(l[p + p * N]);
-    columns[p].store(y + p * R);
+    columns[p].store(y + p * y_stride);
   });
 }
 

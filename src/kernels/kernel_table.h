@@ -98,8 +98,9 @@ struct BlockProducts {
 /// The steps of an elimination (linear/schur/schur.h) on a block W, which has rows × dim values and is
 /// column-major.
 struct EliminationKernels {
-  /// y = W L⁻ᵀ. L is dim × dim, with the reciprocals of its diagonal in place of the diagonal.
-  void (*whitened_block)(int rows, int dim, const double* l, const double* w, double* y);
+  /// Y = W L⁻ᵀ. L is dim × dim, with the reciprocals of its diagonal in place of the diagonal. The columns of
+  /// Y begin y_stride values apart.
+  void (*whitened_block)(int rows, int dim, const double* l, const double* w, double* y, int y_stride);
   /// C −= A Bᵀ for each block B. A is rows × dim, B is b_rows × dim, C is rows × b_rows.
   void (*subtract_block_products)(int rows, int dim, const double* a, const BlockProducts& products);
   /// y −= W x.

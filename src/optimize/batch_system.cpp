@@ -29,7 +29,7 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
       before_step_(graph, *plan_),  // so that no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
-      solver_(std::move(solver), schur),
+      solver_(std::move(solver), schur, KeptBlocks::kJoined),
       streamed_(*plan_, linearizer_, solver_),
       gauge_(graph, *plan_, request.gauge),
       precise_(graph, *plan_) {

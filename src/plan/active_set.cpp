@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 
 #include "base/paced_stop.h"
 #include "plan/fixed_directions.h"
@@ -36,6 +37,14 @@ Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
     }
   }
   return movable;
+}
+
+/// A number whose bits depend on all bits of `x` (the finalizer of SplitMix64; Steele, Lea and Flood, "Fast
+/// splittable pseudorandom number generators", 2014).
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return x ^ (x >> 31);
 }
 
 template <class F>
@@ -93,8 +102,41 @@ std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& act
   return result;
 }
 
+/// Moves each kept vertex behind the first of those that share edges with exactly the same eliminated
+/// vertices, such as a camera behind the pose that alone uses it, because a Schur complement can join their
+/// blocks. Two sets of eliminated vertices count as the same if their checksums are; a mistake is harmless.
+void gather_kept_vertices(const Graph& graph, const ActiveSet& active, std::span<VertexRef> kept,
+                          PacedStop& pace) {
+  const auto is_eliminated = [&](std::uint32_t v, std::uint32_t slot) {
+    return graph.vertex_pools()[v]->eliminated(slot);
+  };
+  std::vector<std::vector<std::uint64_t>> checksum;
+  for (const auto& pool : graph.vertex_pools()) checksum.emplace_back(pool->slots(), 0);
+  for (std::size_t p = 0; p < active.edges.size(); ++p) {
+    const detail::EdgePool& pool = *graph.edge_pools()[p];
+    for (const std::uint32_t edge : active.edges[p]) {
+      pace.step();
+      std::uint64_t sum = 0;
+      for_each_vertex(pool, edge, [&](std::uint32_t v, std::uint32_t slot) {
+        if (is_eliminated(v, slot)) sum += mixed((std::uint64_t{v} << 32) + slot + 1);
+      });
+      if (sum == 0) continue;
+      for_each_vertex(pool, edge, [&](std::uint32_t v, std::uint32_t slot) { checksum[v][slot] += sum; });
+    }
+  }
+  std::unordered_map<std::uint64_t, std::size_t> first_with;
+  std::vector<std::pair<std::size_t, VertexRef>> placed;  // each vertex, with the place of its first partner
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const std::uint64_t sum = checksum[kept[k].pool][kept[k].slot];
+    placed.emplace_back(sum == 0 ? k : first_with.try_emplace(sum, k).first->second, kept[k]);
+  }
+  std::stable_sort(placed.begin(), placed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t k = 0; k < kept.size(); ++k) kept[k] = placed[k].second;
+}
+
 /// Numbers the blocks. Eliminated vertices come first, then all others. Both groups are sorted by id, and a
-/// parameter comes after a vertex with the same id.
+/// parameter comes after a vertex with the same id; then kept vertices of several types are gathered.
 void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSet& active,
                    const StopToken& stop) {
   PacedStop pace(stop);
@@ -111,6 +153,13 @@ void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSe
                         [&](const VertexRef& v) { return graph.vertex_pools()[v.pool]->eliminated(v.slot); });
   if (!std::is_sorted(vertices.begin(), vertices.end(), comes_before))
     std::sort(vertices.begin(), vertices.end(), comes_before);
+  const auto first_kept = std::partition_point(vertices.begin(), vertices.end(), [&](const VertexRef& v) {
+    return graph.vertex_pools()[v.pool]->eliminated(v.slot);
+  });
+  const bool has_types =
+      std::any_of(first_kept, vertices.end(), [&](const VertexRef& v) { return v.pool != first_kept->pool; });
+  if (first_kept != vertices.begin() && has_types)
+    gather_kept_vertices(graph, active, std::span(first_kept, vertices.end()), pace);
   for (const auto& pool : graph.vertex_pools())
     active.block.emplace_back(pool->slots(), ActiveSet::kInactive);
   for (const VertexRef& vertex : vertices) {

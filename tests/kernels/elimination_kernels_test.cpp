@@ -55,10 +55,12 @@ TEST_P(EliminationKernelsTest, DivideByTheFactorLikeTheReference) {
   std::mt19937 random(1);
   for_each_size([&](int rows, int dim, const EliminationKernels& kernels) {
     const Matrix l = random_matrix(dim, dim, random), w = random_matrix(rows, dim, random);
-    Matrix fast = random_matrix(rows * dim + kPadding, 1, random), slow = fast;
-    kernels.whitened_block(rows, dim, l.data(), w.data(), fast.data());
-    kEliminationReference.whitened_block(rows, dim, l.data(), w.data(), slow.data());
-    expect_equal(fast, slow);
+    for (const int stride : {rows, rows + 3}) {
+      Matrix fast = random_matrix(stride * dim + kPadding, 1, random), slow = fast;
+      kernels.whitened_block(rows, dim, l.data(), w.data(), fast.data(), stride);
+      kEliminationReference.whitened_block(rows, dim, l.data(), w.data(), slow.data(), stride);
+      expect_equal(fast, slow);
+    }
   });
 }
 

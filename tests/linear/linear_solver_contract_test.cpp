@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What boxplus/linear/linear_solver.h promises, on the system of a bundle adjustment problem: for every
-// solver, alone and after an elimination of the points, whose Schur complement is stored or not.
+// solver, alone and after an elimination of the points, whose Schur complement is stored or not, and has
+// blocks that are joined or not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "allocation_counter.h"
 #include "boxplus/linearize/linearizer.h"
 #include "boxplus/testing/simulate_bundle.h"
 #include "linear/every_solver.h"
+#include "linear/schur/schur_solver.h"
 
 namespace boxplus {
 namespace {
 
-enum class Elimination : std::uint8_t { kNone, kStored, kImplicit };
+enum class Elimination : std::uint8_t { kNone, kStored, kImplicit, kJoined, kImplicitJoined };
+constexpr std::array kEliminations{Elimination::kNone, Elimination::kStored, Elimination::kImplicit,
+                                   Elimination::kJoined, Elimination::kImplicitJoined};
+bool is_stored(Elimination elimination) {
+  return elimination == Elimination::kStored || elimination == Elimination::kJoined;
+}
+bool is_joined(Elimination elimination) {
+  return elimination == Elimination::kJoined || elimination == Elimination::kImplicitJoined;
+}
 
 struct Candidate {
   detail::LinearSolverEntry solver;
@@ -29,18 +40,21 @@ std::unique_ptr<LinearSolver> make_inner(const Candidate& candidate) {
 std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
   std::shared_ptr<LinearSolver> solver = make_inner(candidate);
   if (candidate.elimination == Elimination::kNone) return solver;
-  const bool is_stored = candidate.elimination == Elimination::kStored;
-  return make_schur_solver(std::move(solver), is_stored ? SchurMode::kExplicit : SchurMode::kImplicit);
+  const SchurMode mode = is_stored(candidate.elimination) ? SchurMode::kExplicit : SchurMode::kImplicit;
+  if (!is_joined(candidate.elimination)) return make_schur_solver(std::move(solver), mode);
+  return std::make_shared<SchurSolver>(std::move(solver), mode, KeptBlocks::kJoined);
 }
 
 /// H and the gradient of a bundle adjustment problem at its initial estimates.
 struct Bundle {
-  BundleSimulation simulation = simulate_bundle(BundleShape::kRing, {.cameras = 12, .points = 1000});
+  BundleSimulation simulation;
   Plan plan = make_plan(simulation.graph, {});
   Linearizer linearizer{simulation.graph, plan};
   std::vector<double> b, diagonal, stiffness;
 
-  Bundle() {
+  explicit Bundle(BundleIntrinsics intrinsics)
+      : simulation(
+            simulate_bundle(BundleShape::kRing, {.cameras = 12, .points = 1000, .intrinsics = intrinsics})) {
     linearizer.linearize({});
     for (const double entry : linearizer.gradient()) b.push_back(-entry);
     for (std::uint32_t block = 0; block < plan.structure.blocks(); ++block) {
@@ -51,9 +65,10 @@ struct Bundle {
   }
 };
 
-Bundle& bundle() {
-  static Bundle bundle;
-  return bundle;
+/// If blocks are to be joined, each camera has two vertices.
+const Bundle& bundle_for(Elimination elimination) {
+  static Bundle whole(BundleIntrinsics::kWithPose), separate(BundleIntrinsics::kSeparate);
+  return is_joined(elimination) ? separate : whole;
 }
 
 /// The parameters are the solver and the number of threads.
@@ -69,7 +84,7 @@ class LinearSolverContract : public ::testing::TestWithParam<std::tuple<Candidat
     return {.right_hand_sides = 2,
             .threads = threads,
             .eliminated_blocks =
-                candidate().elimination == Elimination::kNone ? 0 : bundle().plan.eliminated_blocks};
+                candidate().elimination == Elimination::kNone ? 0 : bundle.plan.eliminated_blocks};
   }
 
   LinearSolverContract() { solver->analyze(structure, hints()); }
@@ -94,13 +109,14 @@ class LinearSolverContract : public ::testing::TestWithParam<std::tuple<Candidat
     return {x.data(), static_cast<Eigen::Index>(x.size())};
   }
   /// Makes a scalar of a diagonal block negative.
-  void spoil(std::uint32_t block, double value) { values[bundle().plan.first_value(block)] = value; }
+  void spoil(std::uint32_t block, double value) { values[bundle.plan.first_value(block)] = value; }
 
-  const BlockStructure& structure = bundle().plan.structure;
-  std::vector<double> values{bundle().linearizer.values().begin(), bundle().linearizer.values().end()};
-  std::vector<double> b = bundle().b;
+  const Bundle& bundle = bundle_for(candidate().elimination);
+  const BlockStructure& structure = bundle.plan.structure;
+  std::vector<double> values{bundle.linearizer.values().begin(), bundle.linearizer.values().end()};
+  std::vector<double> b = bundle.b;
   AssembledSystem system{structure, values};
-  const Damping damping{1e-2, bundle().diagonal.data()}, other{30};
+  const Damping damping{1e-2, bundle.diagonal.data()}, other{30};
   SolveControl control{.relative_tolerance = 1e-11};
   std::shared_ptr<LinearSolver> solver = make(candidate());
 };
@@ -201,9 +217,9 @@ TEST_P(LinearSolverContract, IsAnalyzedAgainAfterAStoppedAnalysis) {
 }
 
 TEST_P(LinearSolverContract, NamesTheBlockThatIsNotPositiveDefinite) {
-  const std::uint32_t points = bundle().plan.eliminated_blocks;
+  const std::uint32_t points = bundle.plan.eliminated_blocks;
   for (const std::uint32_t bad : {0u, points - 1, points, structure.blocks() - 1}) {
-    const double good = values[bundle().plan.first_value(bad)];
+    const double good = values[bundle.plan.first_value(bad)];
     spoil(bad, -good);
     const FactorResult result = solver->factorize(system, damping, control);
     EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
@@ -217,9 +233,9 @@ TEST_P(LinearSolverContract, NamesTheBlockThatIsNotPositiveDefinite) {
 }
 
 TEST_P(LinearSolverContract, NamesTheBlockThatIsNotFinite) {
-  const std::uint32_t points = bundle().plan.eliminated_blocks;
+  const std::uint32_t points = bundle.plan.eliminated_blocks;
   for (const std::uint32_t bad : {0u, points - 1, points, structure.blocks() - 1}) {
-    const double good = values[bundle().plan.first_value(bad)];
+    const double good = values[bundle.plan.first_value(bad)];
     spoil(bad, std::numeric_limits<double>::quiet_NaN());
     const FactorResult result = solver->factorize(system, damping, control);
     EXPECT_EQ(result.status, LinearStatus::kNotFinite);
@@ -292,7 +308,7 @@ TEST_P(LinearSolverContract, NamesThePivotThatVanishesIfTheMatrixMayBeSingular) 
     if (structure.row[k] != point) continue;
     for (std::uint32_t c = 0; c < rows; ++c) values[structure.value_start[k] + c * rows] = 0;
   }
-  std::vector<double> diagonal = bundle().diagonal;
+  std::vector<double> diagonal = bundle.diagonal;
   diagonal[scalar] = 0;
   AnalyzeHints singular = hints();
   singular.may_be_singular = true;
@@ -308,12 +324,12 @@ std::vector<Candidate> candidates() {
   std::vector<Candidate> all;
   const auto add = [&](const Candidate& candidate) {
     const bool is_large = candidate.elimination == Elimination::kNone;
-    const bool has_blocks = candidate.elimination != Elimination::kImplicit;
+    const bool has_blocks = is_large || is_stored(candidate.elimination);
     if (is_large && candidate.solver.kind == LinearSolverKind::kDense) return;
     if (!has_blocks && make_inner(candidate)->needs() == LinearSolver::Needs::kBlocks) return;
     all.push_back(candidate);
   };
-  for (const Elimination elimination : {Elimination::kNone, Elimination::kStored, Elimination::kImplicit}) {
+  for (const Elimination elimination : kEliminations) {
     for (const detail::LinearSolverEntry& solver : every_solver()) {
       add({solver, Precision::kDouble, elimination});
       if (solver.kind == LinearSolverKind::kBlockCholesky) add({solver, Precision::kMixed, elimination});
@@ -324,9 +340,10 @@ std::vector<Candidate> candidates() {
 
 std::string name_of(const ::testing::TestParamInfo<std::tuple<Candidate, int>>& parameters) {
   const auto& [candidate, threads] = parameters.param;
-  constexpr const char* kEliminations[] = {"", "_schur", "_implicit_schur"};
+  constexpr const char* kNames[] = {"", "_schur", "_implicit_schur", "_joined_schur",
+                                    "_implicit_joined_schur"};
   return std::string(candidate.solver.name) + (candidate.precision == Precision::kMixed ? "_mixed" : "") +
-         kEliminations[static_cast<int>(candidate.elimination)] + std::to_string(threads);
+         kNames[static_cast<int>(candidate.elimination)] + std::to_string(threads);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bundle, LinearSolverContract,

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
+#include <vector>
 
 #include "boxplus/linearize/linearizer.h"
 #include "boxplus/manifold/product.h"
@@ -300,6 +302,38 @@ TEST(Plan, EdgesBetweenFixedVerticesContributeOnlyToChi2) {
   EXPECT_THAT(moving_ids(c.graph, plan), ElementsAre(5));
   Linearizer linearizer(c.graph, plan);
   EXPECT_NEAR(linearizer.chi2(), c.graph.chi2(), 1e-12);
+}
+
+/// A graph of poses that see points, which are eliminated, with sensors whose scale is unknown. Each sighting
+/// lists the ids of a pose, a point and a scale.
+Graph with_scales(const std::vector<std::array<Id, 3>>& sightings) {
+  constexpr auto kScaled = [](const auto& pose, const auto& point, const auto& scale) {
+    return (scale * pose.inverse_times(point)).eval();
+  };
+  Graph graph;
+  std::map<Id, VertexHandle<SE2>> poses;
+  std::map<Id, VertexHandle<Point>> points;
+  std::map<Id, VertexHandle<double>> scales;
+  for (const auto& [pose, point, scale] : sightings) {
+    if (!poses.contains(pose)) poses[pose] = graph.add_vertex(SE2(static_cast<double>(pose), 0, 0), pose);
+    if (!points.contains(point))
+      points[point] = graph.add_vertex(Point(1, static_cast<double>(point)), point);
+    if (!scales.contains(scale)) scales[scale] = graph.add_vertex(1.0, scale);
+    graph.set_eliminated(points[point], true);
+    graph.add_edge(kScaled, poses[pose], points[point], scales[scale]);
+  }
+  graph.add_edge(kPosePrior, poses.begin()->second);
+  return graph;
+}
+
+TEST(Plan, PutsKeptVerticesThatShareAllEliminatedVerticesSideBySide) {
+  const Graph graph = with_scales({{0, 20, 12}, {0, 21, 12}, {1, 20, 11}, {1, 22, 11}, {2, 21, 10}});
+  EXPECT_THAT(moving_ids(graph, make_plan(graph, {})), ElementsAre(20, 21, 22, 0, 12, 1, 11, 2, 10));
+}
+
+TEST(Plan, OrdersKeptVerticesByIdIfNoTwoShareAllEliminatedVertices) {
+  const Graph graph = with_scales({{0, 20, 10}, {1, 21, 10}, {2, 22, 11}, {3, 20, 11}, {3, 23, 10}});
+  EXPECT_THAT(moving_ids(graph, make_plan(graph, {})), ElementsAre(20, 21, 22, 23, 0, 1, 2, 3, 10, 11));
 }
 
 TEST(Plan, RefusesAndNamesTwoEliminatedVerticesInOneEdge) {

@@ -120,8 +120,10 @@ struct Chunk {
 
 /// Immutable once made.
 struct Plan {
-  std::vector<VertexRef>
-      block_vertex;  ///< the vertex of each block: eliminated vertices first; both groups by id
+  /// The vertex of each block. Eliminated vertices come first, and both groups are sorted by id. But kept
+  /// vertices that share edges with exactly the same eliminated vertices, such as a pose and the camera that
+  /// only this pose uses, are side by side.
+  std::vector<VertexRef> block_vertex;
   std::uint32_t eliminated_blocks = 0;
   BlockStructure structure;                     ///< of H
   ColumnStorage columns = ColumnStorage::kAll;  ///< never kAutomatic

@@ -4,12 +4,12 @@
 namespace boxplus {
 namespace {
 
-void whitened_block(int rows, int dim, const double* l, const double* w, double* y) {
+void whitened_block(int rows, int dim, const double* l, const double* w, double* y, int y_stride) {
   for (int p = 0; p < dim; ++p) {
     for (int r = 0; r < rows; ++r) {
       double sum = w[r + p * rows];
-      for (int q = 0; q < p; ++q) sum -= y[r + q * rows] * l[p + q * dim];
-      y[r + p * rows] = sum * l[p + p * dim];
+      for (int q = 0; q < p; ++q) sum -= y[r + q * y_stride] * l[p + q * dim];
+      y[r + p * y_stride] = sum * l[p + p * dim];
     }
   }
 }

@@ -84,9 +84,9 @@ void Schur::eliminate_columns(int index, std::uint32_t first, std::uint32_t last
     if (slice.result.status != LinearStatus::kOk) return;
     if (r_ != nullptr) reduce_column(e, w, r_, slice);
     if (reduced_values_.empty()) continue;
-    whiten_column(e, w, l, slice);
-    subtract_products(e, slice.next_target, slice);
-    slice.next_target += blocks * (blocks + 1) / 2;
+    const std::uint32_t reduced_blocks = whiten_column(e, w, l, slice);
+    subtract_products(static_cast<int>(structure_->dim(e)), reduced_blocks, slice.next_target, slice);
+    slice.next_target += reduced_blocks * (reduced_blocks + 1) / 2;
   }
 }
 
@@ -124,12 +124,27 @@ void Schur::add_copies(std::span<const double> values) {
         reduced_values_[i] += slices_[s].values[i];
     }
   });
-  const std::uint32_t first = structure_->column_start[eliminated_];
-  for (std::uint32_t k = first; k < structure_->nonzero_blocks(); ++k) {
-    double* const to = reduced_values_.data() + kept_target_[k - first];
-    const std::uint32_t count = structure_->value_start[k + 1] - structure_->value_start[k];
-    for (std::uint32_t i = 0; i < count; ++i) to[i] += values[i];
-    values = values.subspan(count);
+  const std::uint32_t* target = kept_target_.data();
+  for_each_block_of_u([&](std::uint32_t row, std::uint32_t column, std::uint32_t k) {
+    const double* const block = values.data() + (structure_->value_start[k] - first_kept_value());
+    add_block_of_u(row, column, block, reduced_values_.data() + *target++);
+  });
+}
+
+/// Adds a block of U to S, whose entry for the first entry of the block is `to`.
+void Schur::add_block_of_u(std::uint32_t row, std::uint32_t column, const double* block, double* to) const {
+  const std::uint32_t rows = structure_->dim(row), cols = structure_->dim(column);
+  const Place at_row = place_of(row), at_column = place_of(column);
+  const std::uint32_t stride = reduced_.dim(at_row.block);
+  for (std::uint32_t c = 0; c < cols; ++c) {
+    for (std::uint32_t r = 0; r < rows; ++r) to[r + c * stride] += block[r + c * rows];
+  }
+  if (row == column || at_row.block != at_column.block) return;
+  // A block on the diagonal of S has both triangles.
+  double* const diagonal = to - at_row.first - at_column.first * stride;
+  double* const upper = diagonal + at_column.first + at_row.first * stride;
+  for (std::uint32_t r = 0; r < rows; ++r) {
+    for (std::uint32_t c = 0; c < cols; ++c) upper[c + r * stride] += block[r + c * rows];
   }
 }
 
@@ -167,30 +182,35 @@ Damping Schur::reduced_damping(const Damping& damping) const {
   return {damping.lambda, damping.diagonal ? damping.diagonal + eliminated_scalars() : nullptr};
 }
 
-/// Computes W L⁻ᵀ of a column in slice.half_column, and sets slice.half_rows.
-void Schur::whiten_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const {
+/// Computes W L⁻ᵀ of a column in slice.half_column, and sets slice.half_rows. Returns the number of blocks
+/// of S in the column.
+std::uint32_t Schur::whiten_column(std::uint32_t column, const double* w, const double* l,
+                                   Slice& slice) const {
   const int n = static_cast<int>(structure_->dim(column));
   double* half = slice.half_column.data();
-  int* half_rows = slice.half_rows.data();
-  for_each_coupled(column, w, [&](std::uint32_t, const double* block, int rows) {
-    kernels_(rows, n).whitened_block(rows, n, l, block, half);
-    half += rows * n;
-    *half_rows++ = rows;
+  std::uint32_t blocks = 0;
+  for_each_coupled(column, w, [&](std::uint32_t row, const double* block, int rows) {
+    const auto [at, first] = places_[row];
+    const int all_rows = static_cast<int>(reduced_.dim(at));
+    kernels_(rows, n).whitened_block(rows, n, l, block, half + first, all_rows);
+    if (static_cast<int>(first) + rows < all_rows) return;
+    slice.half_rows[blocks++] = all_rows;
+    half += all_rows * n;
   });
+  return blocks;
 }
 
-/// Subtracts the products of all pairs of blocks of a column from the slice's copy of S. `target` are their
-/// targets.
-void Schur::subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const {
-  const std::uint32_t blocks = structure_->column_start[column + 1] - structure_->column_start[column] - 1;
-  const int n = static_cast<int>(structure_->dim(column));
+/// Subtracts the products of all pairs of blocks in slice.half_column, whose columns are those of an
+/// eliminated block of `dim` scalars, from the slice's copy of S. `target` are their targets.
+void Schur::subtract_products(int dim, std::uint32_t blocks, const std::uint32_t* target,
+                              Slice& slice) const {
   const double* half = slice.half_column.data();
   for (std::uint32_t a = 0; a < blocks; ++a) {
     const int rows = slice.half_rows[a];
-    kernels_(rows, n).subtract_block_products(
-        rows, n, half,
+    kernels_(rows, dim).subtract_block_products(
+        rows, dim, half,
         {slice.half_column.data(), slice.half_rows.data(), static_cast<int>(a + 1), target, slice.values});
-    half += rows * n;
+    half += rows * dim;
     target += a + 1;
   }
 }
@@ -202,7 +222,7 @@ void Schur::reduce_column(std::uint32_t column, const double* w, const double* r
   std::copy_n(r + structure_->offset[column], n, small);
   solve_eliminated(column, small);
   for_each_coupled(column, w, [&](std::uint32_t row, const double* block, int rows) {
-    kernels_(rows, n).subtract_block_multiple(rows, n, block, small, slice.reduced_r + reduced_.offset[row]);
+    kernels_(rows, n).subtract_block_multiple(rows, n, block, small, slice.reduced_r + reduced_offset(row));
   });
 }
 
@@ -221,7 +241,7 @@ void Schur::back_substitute(const double* r, const double* reduced_x, double* x)
       double* out = x + structure_->offset[e];
       std::copy_n(r + structure_->offset[e], n, out);
       for_each_coupled(e, [&](std::uint32_t row, const double* w, int rows) {
-        kernels_(rows, n).subtract_transposed_multiple(rows, n, w, reduced_x + reduced_.offset[row], out);
+        kernels_(rows, n).subtract_transposed_multiple(rows, n, w, reduced_x + reduced_offset(row), out);
       });
       solve_eliminated(e, out);
     }
@@ -232,18 +252,13 @@ void Schur::back_substitute(const double* r, const double* reduced_x, double* x)
 /// y = U x.
 void Schur::kept_multiply(const double* x, double* y) const {
   std::fill_n(y, reduced_.scalars(), 0.0);
-  for (std::uint32_t column = eliminated_; column < structure_->blocks(); ++column) {
-    const int cols = static_cast<int>(structure_->dim(column));
-    const std::uint32_t at = structure_->offset[column] - eliminated_scalars();
-    for (std::uint32_t k = structure_->column_start[column]; k < structure_->column_start[column + 1]; ++k) {
-      const std::uint32_t row = structure_->row[k];
-      const int rows = static_cast<int>(structure_->dim(row));
-      const std::uint32_t row_at = structure_->offset[row] - eliminated_scalars();
-      const double* block = values_.data() + structure_->value_start[k];
-      add_multiply(block, rows, cols, x + at, y + row_at);
-      if (row != column) add_transposed_multiply(block, rows, cols, x + row_at, y + at);
-    }
-  }
+  for_each_block_of_u([&](std::uint32_t row, std::uint32_t column, std::uint32_t k) {
+    const int rows = static_cast<int>(structure_->dim(row)), cols = static_cast<int>(structure_->dim(column));
+    const std::uint32_t at_row = reduced_offset(row - eliminated_), at = reduced_offset(column - eliminated_);
+    const double* block = values_.data() + structure_->value_start[k];
+    add_multiply(block, rows, cols, x + at, y + at_row);
+    if (row != column) add_transposed_multiply(block, rows, cols, x + at_row, y + at);
+  });
 }
 
 void Schur::multiply(const double* x, double* y) {
@@ -254,12 +269,12 @@ void Schur::multiply(const double* x, double* y) {
       const int n = static_cast<int>(structure_->dim(e));
       std::fill_n(small, n, 0.0);
       for_each_coupled(e, [&](std::uint32_t row, const double* w, int rows) {
-        kernels_(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_.offset[row], small);
+        kernels_(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_offset(row), small);
       });
       solve_eliminated(e, small);
       for (int i = 0; i < n; ++i) small[i] = -small[i];
       for_each_coupled(e, [&](std::uint32_t row, const double* w, int rows) {
-        kernels_(rows, n).subtract_block_multiple(rows, n, w, small, slice.reduced_r + reduced_.offset[row]);
+        kernels_(rows, n).subtract_block_multiple(rows, n, w, small, slice.reduced_r + reduced_offset(row));
       });
     }
   });
@@ -270,18 +285,25 @@ void Schur::multiply(const double* x, double* y) {
 }
 
 void Schur::block_diagonal(double* out) {
-  for (std::uint32_t block = 0; block < reduced_.blocks(); ++block) {
-    const std::uint32_t k = structure_->column_start[eliminated_ + block];
-    std::copy(values_.begin() + structure_->value_start[k], values_.begin() + structure_->value_start[k + 1],
-              out + diagonal_start_[block]);
-  }
+  std::fill_n(out, diagonal_start_.back(), 0.0);
+  for_each_block_of_u([&](std::uint32_t row, std::uint32_t column, std::uint32_t k) {
+    const Place at_row = place_of(row), at_column = place_of(column);
+    if (at_row.block != at_column.block) return;
+    add_block_of_u(
+        row, column, values_.data() + structure_->value_start[k],
+        out + diagonal_start_[at_row.block] + at_row.first + at_column.first * reduced_.dim(at_row.block));
+  });
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     Slice& slice = slices_.front();
     whiten_column(e, blocks_of_w(e), factors_.data() + factor_start_[e], slice);
     const double* half = slice.half_column.data();
-    for_each_coupled(e, [&](std::uint32_t row, const double*, int rows) {
-      kernels_(rows, n).subtract_block_products(rows, n, half, {half, &rows, 1, &diagonal_start_[row], out});
+    for_each_coupled(e, [&](std::uint32_t row, const double*, int) {
+      const auto [block, first] = places_[row];
+      if (first > 0) return;
+      const int rows = static_cast<int>(reduced_.dim(block));
+      kernels_(rows, n).subtract_block_products(rows, n, half,
+                                                {half, &rows, 1, &diagonal_start_[block], out});
       half += rows * n;
     });
   }

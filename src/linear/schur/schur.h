@@ -16,11 +16,22 @@ namespace boxplus {
 
 class PacedStop;
 
+/// The blocks of S.
+enum class KeptBlocks : std::uint8_t {
+  kSeparate,  ///< those of H
+  kJoined     ///< consecutive blocks of H are joined if this saves time
+};
+
 /// Let H = [V Wᵀ; W U]. V belongs to the eliminated vertices, which are the first blocks of H, and is block
 /// diagonal. Solves (H + λD) x = r by means of the Schur complement S = U + λD − W (V + λD)⁻¹ Wᵀ. H does not
 /// change, so a different λ needs no new assembly of H. (Brown, "A solution to the general problem of
 /// multiple station analytical stereotriangulation", 1958; Triggs et al., "Bundle adjustment: a modern
 /// synthesis", 2000, §6.1.)
+///
+/// S has one block per kept block of H, or one for several of them: consecutive kept blocks that are coupled
+/// with the same eliminated blocks can be joined, such as a pose and its camera. Then S has fewer pairs of
+/// blocks, and their products take less time. The scalars of S are those of the kept blocks, in the same
+/// order.
 ///
 /// The eliminated blocks are divided into slices. One thread eliminates the blocks of a slice, in order, and
 /// adds to a copy of S. Then the copies are added in order. The number of slices depends only on the
@@ -32,7 +43,8 @@ class Schur {
   /// Uses at most `threads` threads. Slices begin only at columns in `bounds` (AnalyzeHints); empty: at any
   /// column. Throws Stopped when the token is raised.
   Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
-        int threads = 1, std::span<const std::uint32_t> bounds = {}, const StopToken& stop = {});
+        KeptBlocks kept = KeptBlocks::kSeparate, int threads = 1, std::span<const std::uint32_t> bounds = {},
+        const StopToken& stop = {});
 
   /// Leaves scalars of H out of S and of reduced_r: their rows and columns become zero, except for the
   /// diagonal, which stays that of H. The result is the same as if their rows in W were zero, and so they may
@@ -40,8 +52,14 @@ class Schur {
   /// S is not explicit, does nothing for S.
   void leave_out(std::span<const std::uint32_t> scalars);
 
-  /// The structure of S. It has the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
+  /// The place of a kept block in S: the block of S that contains it, and its first scalar in this block.
+  struct Place {
+    std::uint32_t block, first;
+  };
+  Place place_of(std::uint32_t block_of_h) const { return places_[block_of_h - eliminated_]; }
+  /// The block of H that contains a scalar of S.
+  std::uint32_t block_with(std::uint32_t reduced_scalar) const;
   const BlockStructure& structure() const { return *structure_; }
   std::uint32_t eliminated_blocks() const { return eliminated_; }
   std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
@@ -104,7 +122,7 @@ class Schur {
     const std::uint32_t* next_target;  // of the next column
     FactorResult result;
     double *values, *reduced_r;       // its copies
-    std::vector<double> half_column;  // W L⁻ᵀ of one column
+    std::vector<double> half_column;  // W L⁻ᵀ of one column, with the blocks of S
     std::vector<int> half_rows;       // the number of rows of each block in half_column
     std::vector<double> small;        // a vector of the size of an eliminated block
   };
@@ -120,6 +138,10 @@ class Schur {
       w += structure_->value_start[k + 1] - structure_->value_start[k];
     }
   }
+  /// The first scalar of S that belongs to a kept block of H.
+  std::uint32_t reduced_offset(std::uint32_t kept) const {
+    return structure_->offset[eliminated_ + kept] - eliminated_scalars();
+  }
   std::uint32_t first_kept_value() const {
     return structure_->value_start[structure_->column_start[eliminated_]];
   }
@@ -128,6 +150,15 @@ class Schur {
     return values_.data() + structure_->value_start[structure_->column_start[column] + 1];
   }
 
+  /// Calls f(row, column, k) for each block of U, the k-th block of H, in the order of kept_target_.
+  template <class F>
+  void for_each_block_of_u(F&& f) const {
+    for (std::uint32_t column = eliminated_; column < structure_->blocks(); ++column) {
+      for (std::uint32_t k = structure_->column_start[column]; k < structure_->column_start[column + 1]; ++k)
+        f(structure_->row[k], column, k);
+    }
+  }
+  std::uint32_t count_reduced_blocks(std::uint32_t column) const;
   void set_targets(PacedStop& pace);
   void make_slices(std::span<const std::uint32_t> bounds, PacedStop& pace);
   std::vector<std::uint32_t> bounds_of_equal_parts(std::uint32_t count) const;
@@ -135,16 +166,18 @@ class Schur {
   FactorResult failure(std::uint32_t block, const double* v, std::uint32_t pivot) const;
   void for_each_slice(detail::FunctionRef<void(Slice&)> f);
   void clear(Slice& slice);
-  void whiten_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const;
-  void subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const;
+  std::uint32_t whiten_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const;
+  void subtract_products(int dim, std::uint32_t blocks, const std::uint32_t* target, Slice& slice) const;
   void reduce_column(std::uint32_t column, const double* w, const double* r, Slice& slice) const;
   void add_reduced_copies(const double* r, double* reduced_r) const;
   void clear_left_out(std::span<const double> kept_values);
   void add_copies(std::span<const double> values);
+  void add_block_of_u(std::uint32_t row, std::uint32_t column, const double* block, double* to) const;
   void kept_multiply(const double* x, double* y) const;
 
   const BlockStructure* structure_;
   std::uint32_t eliminated_;
+  std::vector<Place> places_;  // of each kept block
   BlockStructure reduced_;
   int threads_;
   EliminationKernelChoice kernels_;
@@ -155,12 +188,12 @@ class Schur {
   std::vector<double> factors_;              // L of V + λD, dim × dim, with 1/L_ii on the diagonal
   std::vector<double> reduced_values_;
   std::vector<std::uint32_t> kept_target_;  // the first value in S of each kept block of H
-  /// The first value in S of each pair of rows (a ≥ b) of each eliminated column.
+  /// The first value in S of each pair of blocks of S (a ≥ b) that an eliminated column has.
   std::vector<std::uint32_t> pair_target_;
   std::vector<Slice> slices_;
   LeftOut left_out_;
   std::vector<double> copies_, reduced_copies_;  // of S for all slices but the first; of reduced_r for all
-  std::vector<std::uint32_t> diagonal_start_;  // the first value of each kept block among the diagonal blocks
+  std::vector<std::uint32_t> diagonal_start_;  // the first value of each block of S among the diagonal blocks
 };
 
 /// The Schur complement S as an operator, without an explicit matrix.

@@ -16,14 +16,15 @@ bool precedes(const BlockCoordinate& a, const BlockCoordinate& b) {
   return a.column != b.column ? a.column < b.column : a.row < b.row;
 }
 
-/// Blocks of S⁻¹, found by their coordinates.
+/// Blocks of S⁻¹ for kept blocks of H.
 class ReducedInverse {
  public:
-  explicit ReducedInverse(const BlockStructure& structure) : structure_(structure) {}
+  explicit ReducedInverse(const Schur& schur) : schur_(schur), structure_(schur.reduced_structure()) {}
 
   void want(std::uint32_t i, std::uint32_t j) {
     if (blocks_.size() >= room_) drop_duplicates();
-    blocks_.push_back({std::max(i, j), std::min(i, j)});
+    const std::uint32_t at_i = schur_.place_of(i).block, at_j = schur_.place_of(j).block;
+    blocks_.push_back({std::max(at_i, at_j), std::min(at_i, at_j)});
   }
 
   bool compute(LinearSolver& inner, const StopToken& stop) {
@@ -39,14 +40,15 @@ class ReducedInverse {
 
   /// Copies block (i, j), which must have been requested.
   void read(std::uint32_t i, std::uint32_t j, Eigen::Ref<MatrixXd> out) const {
-    const BlockCoordinate lower{std::max(i, j), std::min(i, j)};
+    const Schur::Place at_i = schur_.place_of(i), at_j = schur_.place_of(j);
+    const BlockCoordinate lower{std::max(at_i.block, at_j.block), std::min(at_i.block, at_j.block)};
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), lower, precedes);
     const double* values = values_.data() + start_[static_cast<std::size_t>(found - blocks_.begin())];
     const Eigen::Map<const MatrixXd> stored(values, structure_.dim(lower.row), structure_.dim(lower.column));
-    if (i >= j) {
-      out = stored;
+    if (at_i.block >= at_j.block) {
+      out = stored.block(at_i.first, at_j.first, out.rows(), out.cols());
     } else {
-      out = stored.transpose();
+      out = stored.block(at_j.first, at_i.first, out.cols(), out.rows()).transpose();
     }
   }
 
@@ -60,6 +62,7 @@ class ReducedInverse {
     room_ = std::max(room_, 2 * blocks_.size());
   }
 
+  const Schur& schur_;
   const BlockStructure& structure_;
   std::vector<BlockCoordinate> blocks_;
   std::size_t room_ = std::size_t{1} << 20;  // the size of blocks_ at which duplicates are dropped
@@ -71,8 +74,7 @@ class ReducedInverse {
 /// diagonal of the eliminated blocks.
 class Inverter {
  public:
-  Inverter(const Schur& schur, const StopToken& stop)
-      : schur_(schur), stop_(stop), reduced_(schur.reduced_structure()) {}
+  Inverter(const Schur& schur, const StopToken& stop) : schur_(schur), stop_(stop), reduced_(schur) {}
 
   bool fill(LinearSolver& inner, std::span<const InverseRequest> requests) {
     PacedStop pace(stop_);
@@ -91,16 +93,16 @@ class Inverter {
 
  private:
   bool eliminated(std::uint32_t block) const { return block < schur_.eliminated_blocks(); }
-  std::uint32_t kept(std::uint32_t block) const { return block - schur_.eliminated_blocks(); }
 
-  /// Calls f for each block row of S⁻¹ that a block of H needs. A kept block needs its own row. An eliminated
-  /// block needs the rows of the kept blocks that an edge joins with it.
+  /// Calls f for each kept block of H whose rows of S⁻¹ a block of H needs. A kept block needs its own rows.
+  /// An eliminated block needs the rows of the kept blocks that an edge joins with it.
   template <class F>
   void for_each_reached(std::uint32_t block, F&& f) const {
     if (eliminated(block)) {
-      schur_.for_each_coupled(block, [&](std::uint32_t row, const double*, int) { f(row); });
+      schur_.for_each_coupled(
+          block, [&](std::uint32_t row, const double*, int) { f(schur_.eliminated_blocks() + row); });
     } else {
-      f(kept(block));
+      f(block);
     }
   }
 
@@ -111,7 +113,7 @@ class Inverter {
     });
   }
 
-  /// The nonzero rows of a block column of M, and their transposed values.
+  /// The kept blocks of H with nonzero rows in a block column of M, and the transposed values of these rows.
   struct Column {
     std::vector<std::uint32_t> rows;
     MatrixXd transposed;
@@ -122,7 +124,7 @@ class Inverter {
     Eigen::Index size = 0;
     for_each_reached(block, [&](std::uint32_t row) {
       column.rows.push_back(row);
-      size += reduced_dim(row);
+      size += dim(row);
     });
     if (!eliminated(block)) {
       column.transposed = MatrixXd::Identity(size, size);
@@ -144,10 +146,10 @@ class Inverter {
     for (const std::uint32_t i : left.rows) {
       Eigen::Index c = 0;
       for (const std::uint32_t j : right.rows) {
-        reduced_.read(i, j, inverse.block(r, c, reduced_dim(i), reduced_dim(j)));
-        c += reduced_dim(j);
+        reduced_.read(i, j, inverse.block(r, c, dim(i), dim(j)));
+        c += dim(j);
       }
-      r += reduced_dim(i);
+      r += dim(i);
     }
     if (!eliminated(block.row) && !eliminated(block.column)) return inverse;
     MatrixXd result = left.transposed * inverse * right.transposed.transpose();
@@ -157,7 +159,6 @@ class Inverter {
     return result + own;
   }
 
-  Eigen::Index reduced_dim(std::uint32_t row) const { return schur_.reduced_structure().dim(row); }
   Eigen::Index dim(std::uint32_t block) const { return schur_.structure().dim(block); }
 
   const Schur& schur_;

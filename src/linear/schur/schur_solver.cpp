@@ -33,7 +33,7 @@ Result checked(const Result& result, const LinearSolver& solver, const BlockStru
 }  // namespace
 
 std::shared_ptr<LinearSolver> make_schur_solver(std::shared_ptr<LinearSolver> inner, SchurMode mode) {
-  return std::make_shared<SchurSolver>(std::move(inner), mode);
+  return std::make_shared<SchurSolver>(std::move(inner), mode, KeptBlocks::kSeparate);
 }
 
 void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& hints, const StopToken& stop) {
@@ -44,7 +44,7 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
   const std::uint32_t eliminated = hints.eliminated_blocks;
   if (eliminated == 0 || eliminated == structure.blocks()) return inner_->analyze(structure, hints, stop);
   const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() == Needs::kBlocks;
-  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, hints.threads,
+  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, kept_, hints.threads,
                                        hints.elimination_bounds, stop);
   if (make_values) {
     reduced_ = std::make_unique<AssembledSystem>(schur->reduced_structure(), schur->reduced_values());
@@ -57,7 +57,9 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
                           static_cast<std::size_t>(batch_));
   std::vector<std::uint32_t> last;
   for (const std::uint32_t block : hints.last) {
-    if (block >= eliminated) last.push_back(block - eliminated);
+    if (block < eliminated) continue;
+    const std::uint32_t in_s = schur_->place_of(block).block;
+    if (std::find(last.begin(), last.end(), in_s) == last.end()) last.push_back(in_s);
   }
   inner_->analyze(schur_->reduced_structure(),
                   {.right_hand_sides = batch_,
@@ -68,7 +70,10 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
 }
 
 void SchurSolver::move_to_full_numbering(std::uint32_t& block, std::uint32_t& scalar) const {
-  if (block != BlockStructure::kAbsent) block += schur_->eliminated_blocks();
+  if (block != BlockStructure::kAbsent) {
+    const bool is_known = scalar != BlockStructure::kAbsent;
+    block = schur_->block_with(is_known ? scalar : schur_->reduced_structure().offset[block]);
+  }
   if (scalar != BlockStructure::kAbsent) scalar += schur_->eliminated_scalars();
 }
 

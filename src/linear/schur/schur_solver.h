@@ -18,7 +18,8 @@ namespace boxplus {
 class SchurSolver final : public LinearSolver, public ColumnElimination {
  public:
   /// `inner` must not be null.
-  SchurSolver(std::shared_ptr<LinearSolver> inner, SchurMode mode) : inner_(std::move(inner)), mode_(mode) {}
+  SchurSolver(std::shared_ptr<LinearSolver> inner, SchurMode mode, KeptBlocks kept)
+      : inner_(std::move(inner)), mode_(mode), kept_(kept) {}
 
   std::string_view name() const override { return inner_->name(); }
   Needs needs() const override { return Needs::kBlocks; }
@@ -69,6 +70,7 @@ class SchurSolver final : public LinearSolver, public ColumnElimination {
 
   std::shared_ptr<LinearSolver> inner_;
   SchurMode mode_;
+  KeptBlocks kept_;
   const BlockStructure* structure_ = nullptr;
   std::unique_ptr<Schur> schur_;
   std::unique_ptr<BlockSystem> reduced_;

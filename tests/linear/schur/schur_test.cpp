@@ -71,7 +71,10 @@ void check_operator(const Reference& reference, Schur& schur) {
   implicit.multiply(x.data(), y.data());
   EXPECT_LE((y - expected * x).norm(), 1e-10 * (expected * x).norm());
   const BlockStructure& structure = implicit.structure();
-  std::vector<double> blocks(structure.scalars() * 6);
+  std::size_t size = 0;
+  for (std::uint32_t block = 0; block < structure.blocks(); ++block)
+    size += std::size_t{structure.dim(block)} * structure.dim(block);
+  std::vector<double> blocks(size);
   implicit.block_diagonal(blocks.data());
   const double* at = blocks.data();
   for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
@@ -118,11 +121,17 @@ void check_solution(const Problem& problem, const Reference& reference, Schur& s
   EXPECT_LE((x - reference.x).norm(), 1e-9 * reference.x.norm());
 }
 
+/// The forms of S: whether it is explicit, and its blocks.
+constexpr std::pair<bool, KeptBlocks> kForms[] = {{true, KeptBlocks::kSeparate},
+                                                  {true, KeptBlocks::kJoined},
+                                                  {false, KeptBlocks::kSeparate},
+                                                  {false, KeptBlocks::kJoined}};
+
 void check_elimination(Problem& problem) {
   const std::vector<double> before(problem.linearizer.values().begin(), problem.linearizer.values().end());
   const Reference reference(problem);
-  for (const bool explicit_values : {true, false}) {
-    Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values);
+  for (const auto& [explicit_values, kept] : kForms) {
+    Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values, kept);
     // The second elimination must overwrite the results of the first one.
     for (int round = 0; round < 2; ++round) {
       ASSERT_EQ(schur.eliminate(problem.linearizer.values(), problem.damping).status, LinearStatus::kOk);
@@ -158,8 +167,9 @@ TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
 
 /// All results of an elimination: S, the reduced right-hand side, the solution for given kept values, and a
 /// product with S.
-std::vector<double> results(const Problem& problem, bool explicit_values, int threads, bool reduces_at_once) {
-  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values, threads);
+std::vector<double> results(const Problem& problem, std::pair<bool, KeptBlocks> form, int threads,
+                            bool reduces_at_once) {
+  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, form.first, form.second, threads);
   const std::size_t size = problem.plan.structure.scalars(), kept = schur.reduced_structure().scalars();
   std::vector<double> r(size), reduced_r(kept), x(size);
   for (std::size_t i = 0; i < size; ++i) r[i] = std::sin(static_cast<double>(i));
@@ -180,11 +190,11 @@ std::vector<double> results(const Problem& problem, bool explicit_values, int th
 
 TEST(Schur, HasTheSameBitsForAnyNumberOfThreadsWhetherOrNotEliminateAlsoReducesTheRightHandSide) {
   const Problem problem(make_bundle(12, 600, true), 0.1, true);
-  for (const bool explicit_values : {true, false}) {
-    const std::vector<double> expected = results(problem, explicit_values, 1, false);
+  for (const auto& form : kForms) {
+    const std::vector<double> expected = results(problem, form, 1, false);
     for (const int threads : {1, 2, 3, 7, 64}) {
-      EXPECT_EQ(results(problem, explicit_values, threads, false), expected) << threads;
-      EXPECT_EQ(results(problem, explicit_values, threads, true), expected) << threads;
+      EXPECT_EQ(results(problem, form, threads, false), expected) << threads;
+      EXPECT_EQ(results(problem, form, threads, true), expected) << threads;
     }
   }
 }
@@ -195,7 +205,8 @@ TEST(Schur, EliminatesColumnByColumnWithTheSameBits) {
   std::vector<double> r(structure.scalars());
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::sin(static_cast<double>(i));
   const std::vector<std::uint32_t> bounds{0, 64, 192, 256, 512, 576, 600};
-  Schur whole(structure, 600, true, 2, bounds), stepwise(structure, 600, true, 2, bounds);
+  Schur whole(structure, 600, true, KeptBlocks::kSeparate, 2, bounds),
+      stepwise(structure, 600, true, KeptBlocks::kSeparate, 2, bounds);
   std::vector<double> expected(whole.reduced_structure().scalars()), actual(expected.size());
   const auto eliminate = [&] {
     return whole.eliminate(problem.linearizer.values(), problem.damping, {}, r.data(), expected.data());
@@ -223,7 +234,7 @@ TEST(Schur, NamesTheSameBlockForAnyNumberOfThreads) {
   for (const std::uint32_t block : {400u, 99u})
     values[structure.value_start[structure.column_start[block]]] = -1;
   for (const int threads : {1, 2, 5}) {
-    Schur schur(structure, problem.plan.eliminated_blocks, true, threads);
+    Schur schur(structure, problem.plan.eliminated_blocks, true, KeptBlocks::kSeparate, threads);
     for (int round = 0; round < 2; ++round) {
       const FactorResult result = schur.eliminate(values, {});
       EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
@@ -273,7 +284,8 @@ TEST(Schur, ReportsTheBlockThatIsNotFinite) {
   EXPECT_EQ(result.failed_block, 3u);
 }
 
-/// Cameras of the given dimensions see all points of the given dimensions. No other blocks are connected.
+/// Cameras of the given dimensions see all points of the given dimensions. Successive cameras are connected,
+/// and the first with the last.
 TestSystem system_of(const std::vector<std::uint32_t>& points, const std::vector<std::uint32_t>& cameras) {
   std::mt19937 random(11);
   std::vector<std::uint32_t> dims = points;
@@ -282,6 +294,10 @@ TestSystem system_of(const std::vector<std::uint32_t>& points, const std::vector
   for (std::uint32_t p = 0; p < points.size(); ++p) {
     for (auto c = static_cast<std::uint32_t>(points.size()); c < dims.size(); ++c) edges.push_back({c, p});
   }
+  const auto first = static_cast<std::uint32_t>(points.size());
+  const auto last = static_cast<std::uint32_t>(dims.size() - 1);
+  for (std::uint32_t c = first + 1; c <= last; ++c) edges.push_back({c, c - 1});
+  if (last > first + 1) edges.push_back({last, first});
   return random_system(dims, edges, random, 3);
 }
 
@@ -300,21 +316,64 @@ TEST(Schur, EqualsTheDenseComplementForBlocksOfAllSizes) {
       const Eigen::MatrixXd W = H.bottomLeftCorner(kept, eliminated);
       const Eigen::MatrixXd S = H.bottomRightCorner(kept, kept) -
                                 W * damped.topLeftCorner(eliminated, eliminated).llt().solve(W.transpose());
-      Schur schur(system.structure, 8, true);
-      ASSERT_EQ(schur.eliminate(system.values, {lambda, nullptr}).status, LinearStatus::kOk);
-      EXPECT_LE((dense_matrix(schur.reduced_structure(), schur.reduced_values()) - S).norm(),
-                1e-12 * H.norm());
-      const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, -1, 2);
-      Eigen::VectorXd reduced_r(kept), y(kept), x(n);
-      schur.multiply(r.tail(kept).eval().data(), y.data());
-      EXPECT_LE((y - S * r.tail(kept)).norm(), 1e-12 * H.norm());
-      schur.reduce(r.data(), reduced_r.data());
-      const Eigen::VectorXd solved = damped.llt().solve(r), reduced_x = solved.tail(kept);
-      EXPECT_LE((S * reduced_x + lambda * reduced_x - reduced_r).norm(), 1e-11 * H.norm());
-      schur.back_substitute(r.data(), reduced_x.data(), x.data());
-      EXPECT_LE((x - solved).norm(), 1e-10 * solved.norm());
+      const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, -1, 2), solved = damped.llt().solve(r);
+      for (const KeptBlocks blocks : {KeptBlocks::kSeparate, KeptBlocks::kJoined}) {
+        Schur schur(system.structure, 8, true, blocks);
+        ASSERT_EQ(schur.eliminate(system.values, {lambda, nullptr}).status, LinearStatus::kOk);
+        EXPECT_LE((dense_matrix(schur.reduced_structure(), schur.reduced_values()) - S).norm(),
+                  1e-12 * H.norm());
+        Eigen::VectorXd reduced_r(kept), y(kept), x(n);
+        schur.multiply(r.tail(kept).eval().data(), y.data());
+        EXPECT_LE((y - S * r.tail(kept)).norm(), 1e-12 * H.norm());
+        schur.reduce(r.data(), reduced_r.data());
+        const Eigen::VectorXd reduced_x = solved.tail(kept);
+        EXPECT_LE((S * reduced_x + lambda * reduced_x - reduced_r).norm(), 1e-11 * H.norm());
+        schur.back_substitute(r.data(), reduced_x.data(), x.data());
+        EXPECT_LE((x - solved).norm(), 1e-10 * solved.norm());
+      }
     }
   }
+}
+
+/// The sizes of the blocks of S, after joining.
+std::vector<std::uint32_t> joined_dims(const BlockStructure& structure, std::uint32_t eliminated) {
+  const Schur schur(structure, eliminated, true, KeptBlocks::kJoined);
+  std::vector<std::uint32_t> dims;
+  for (std::uint32_t block = 0; block < schur.reduced_structure().blocks(); ++block)
+    dims.push_back(schur.reduced_structure().dim(block));
+  return dims;
+}
+
+TEST(Schur, JoinsConsecutiveBlocksThatAreCoupledWithTheSameEliminatedBlocks) {
+  const std::vector<std::uint32_t> dims{3, 3, 3, 6, 4, 6, 4, 6, 5, 2};
+  const std::vector<BlockCoordinate> edges{{3, 0}, {4, 0}, {3, 2}, {4, 2},           // a pose and its camera
+                                           {5, 0}, {5, 1}, {6, 0}, {6, 1},           // another pair
+                                           {7, 0}, {7, 2}, {8, 1}, {8, 2}, {9, 8}};  // no two alike
+  const std::vector<std::uint32_t> expected{10, 10, 6, 5, 2};
+  EXPECT_EQ(joined_dims(make_block_structure(dims, edges), 3), expected);
+}
+
+TEST(Schur, JoinsNoBlocksThatAreCoupledWithNoEliminatedBlock) {
+  const std::vector<BlockCoordinate> edges{{1, 0}, {3, 2}};
+  const std::vector<std::uint32_t> expected{6, 6, 3};
+  EXPECT_EQ(joined_dims(make_block_structure({3, 6, 6, 3}, edges), 1), expected);
+}
+
+TEST(Schur, JoinsBlocksOnlyIfThereAreKernelsForTheResult) {
+  const TestSystem system = system_of({3, 3}, {6, 9, 6, 9, 6});
+  EXPECT_EQ(dense::kernels().elimination_kernels_for(15, 3), nullptr);
+  const std::vector<std::uint32_t> expected{6, 9, 6, 9, 6};
+  EXPECT_EQ(joined_dims(system.structure, 2), expected);
+}
+
+TEST(Schur, FindsTheBlockOfEachScalarOfAJoinedBlock) {
+  const TestSystem system = system_of({3, 3}, {6, 4, 6, 2});
+  const Schur schur(system.structure, 2, true, KeptBlocks::kJoined);
+  EXPECT_EQ(schur.place_of(3).block, 0u);
+  EXPECT_EQ(schur.place_of(3).first, 6u);
+  for (const auto& [scalar, block] :
+       std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 2}, {5, 2}, {6, 3}, {9, 3}, {10, 4}, {16, 5}})
+    EXPECT_EQ(schur.block_with(scalar), block) << scalar;
 }
 
 TEST(Schur, IsEmptyIfAllVerticesAreEliminated) {
