@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/paced_stop.h"
 #include "gauge/subspace.h"
@@ -179,8 +180,7 @@ SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> verti
   freedom.motions.own = std::move(own);
   freedom.basis = moving(vertices, freedom.motions);
   if (freedom.basis.cols() > 0) freedom.basis = unresisted(vertices, edges, freedom.motions, freedom.basis);
-  for (const OwnDirection& direction : freedom.motions.own)
-    tangents_[ends_.index(direction.vertex)].resize(0, 0);
+  for (const OwnDirection& direction : freedom.motions.own) tangents_[ends_.index(direction.vertex)] = {};
   return freedom;
 }
 
@@ -214,15 +214,18 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   PacedStop pace(stop_, 64);
   for (const VertexSlot v : vertices) {
     pace.step();
-    MatrixXd& tangents = tangents_[ends_.index(v)];
-    tangents.resize(0, 0);
+    Tangents& tangents = tangents_[ends_.index(v)];
     const WorldRole role = roles_[v.pool][v.slot];
-    if (role == WorldRole::kNone) continue;
-    tangents = motion_tangents(graph_, v, role, motions);
-    sum.noalias() += tangents.leftCols(world).transpose() * tangents.leftCols(world);
+    if (role == WorldRole::kNone) {
+      tangents = {};
+      continue;
+    }
+    tangents.set(motion_tangents(graph_, v, role, motions));
+    const auto in_world = tangents.values.leftCols(world);
+    sum += in_world.transpose().lazyProduct(in_world);
   }
   for (const auto& [v, component] : motions.own)
-    tangents_[ends_.index(v)] = motion_tangents(graph_, v, WorldRole::kNone, motions);
+    tangents_[ends_.index(v)].set(motion_tangents(graph_, v, WorldRole::kNone, motions));
   const double least = 1e-12 * sum.trace();
   const MatrixXd moves = eigenvectors_of(sum, [&](double squared) { return squared > least; });
   MatrixXd candidates = MatrixXd::Zero(world + own, moves.cols() + own);
@@ -238,13 +241,12 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
   constexpr double kNothing = 1e-12;
   MatrixXd sum = MatrixXd::Zero(motions.count(), motions.count()), jacobian, changes;
   for (const VertexSlot v : vertices) {
-    const MatrixXd& tangents = tangents_[ends_.index(v)];
+    const Tangents& tangents = tangents_[ends_.index(v)];
     for (const int direction : graph_.vertex_pools()[v.pool]->fixed_directions(v.slot)) {
-      if (tangents.size() == 0) continue;
-      add_resistance(tangents.row(direction), tangents.row(direction).rowwise().norm(), sum);
+      if (tangents.values.size() == 0) continue;
+      add_resistance(tangents.values.row(direction), tangents.norms.row(direction), sum);
     }
   }
-  MatrixXd tangents;
   VectorXd error, magnitudes;
   PacedStop pace(stop_, 64);
   for (const EdgeSlot edge : edges) {
@@ -257,15 +259,17 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     tile.error = error.data();
     tile.jacobian = jacobian.data();
     pool.linearize(std::span(&edge.slot, 1), tile, false);
-    tangents.setZero(shape.cols, motions.count());
-    Eigen::Index row = 0;
+    changes.setZero(shape.rows, motions.count());
+    magnitudes.setZero(shape.rows);
+    Eigen::Index column = 0;
     ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
-      const MatrixXd& of_vertex = tangents_[ends_.index(v)];
-      if (of_vertex.size() > 0) tangents.middleRows(row, of_vertex.rows()) = of_vertex;
-      row += graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
+      const Tangents& tangents = tangents_[ends_.index(v)];
+      const Eigen::Index dim = graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
+      const auto of_vertex = jacobian.middleCols(std::exchange(column, column + dim), dim);
+      if (tangents.values.size() == 0) return;
+      changes += of_vertex.lazyProduct(tangents.values);
+      magnitudes += of_vertex.cwiseAbs().lazyProduct(tangents.norms);
     });
-    changes.noalias() = jacobian * tangents;
-    magnitudes.noalias() = jacobian.cwiseAbs() * tangents.rowwise().norm();
     add_resistance(changes, magnitudes, sum);
   }
   // The directions `own` have units of their own, so their resistance is 1 by definition.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.h"
@@ -77,6 +78,16 @@ class SimilarityTest {
     std::size_t choice = 0;
   };
 
+  /// The motions in the tangent space of a vertex, and the norms of their rows; empty if none moves it.
+  struct Tangents {
+    Eigen::MatrixXd values;
+    Eigen::VectorXd norms;
+    void set(Eigen::MatrixXd motions) {
+      values = std::move(motions);
+      norms = values.rowwise().norm();
+    }
+  };
+
   void assign_roles(std::span<const VertexSlot> vertices, int dimension);
   void choose_roles(int dimension);
   std::vector<EdgeSlot> sample(std::size_t count) const;
@@ -99,8 +110,7 @@ class SimilarityTest {
   DisjointSets kind_of_;  // by EdgeEnds::index()
   std::vector<Kind> kinds_;
   std::vector<std::vector<WorldRole>> roles_;
-  /// The tangents of each vertex, by EdgeEnds::index(); empty if no motion moves it.
-  std::vector<Eigen::MatrixXd> tangents_;
+  std::vector<Tangents> tangents_;  // by EdgeEnds::index()
 };
 
 }  // namespace boxplus

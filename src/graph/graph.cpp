@@ -63,7 +63,14 @@ void Graph::check(EdgeRef edge) const {
 
 /// Finds a vertex that appears twice.
 std::optional<VertexRef> Graph::find_repetition(std::span<const VertexRef> vertices) {
-  if (vertices.size() == 2) return vertices[0] == vertices[1] ? std::optional(vertices[0]) : std::nullopt;
+  constexpr std::size_t kFew = 8;
+  if (vertices.size() <= kFew) {
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+      const auto before = vertices.first(k);
+      if (std::find(before.begin(), before.end(), vertices[k]) != before.end()) return vertices[k];
+    }
+    return std::nullopt;
+  }
   std::vector<VertexRef> sorted(vertices.begin(), vertices.end());
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "io/model/camera_types.h"
 #include "io/model/pose_places.h"
@@ -42,6 +44,7 @@ class GraphMaker {
       graph.set_eliminated(vertex, true);
       points_[point.id] = vertex;
     }
+    count_edges(places);
     for (std::size_t i = 0; i < places.size(); ++i) add_edges(model_.images[i], places[i]);
     return std::move(file_);
   }
@@ -60,17 +63,35 @@ class GraphMaker {
       offsets_[*place.offset] = graph.add_parameter(place.T_rig_camera, *place.offset);
   }
 
+  static bool is_tracked(const SparseModel::Feature& feature) {
+    return feature.point != SparseModel::Feature::kNoPoint;
+  }
+
+  void count_edges(const std::vector<PosePlace>& places) {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const SparseModel::Image& image = model_.images[i];
+      const auto edges = std::count_if(image.features.begin(), image.features.end(), is_tracked);
+      edge_count_[{cameras_.at(image.camera).type, places[i].offset.has_value()}] +=
+          static_cast<std::size_t>(edges);
+      all += static_cast<std::size_t>(edges);
+    }
+    file_.edges.reserve(all);
+  }
+
   void add_edges(const SparseModel::Image& image, const PosePlace& place) {
     const CameraVertex& camera = cameras_.at(image.camera);
     const VertexHandle<SE3> pose = poses_.at(place.vertex);
+    std::size_t& expected = edge_count_[{camera.type, place.offset.has_value()}];
     for (const SparseModel::Feature& feature : image.features) {
-      if (feature.point == SparseModel::Feature::kNoPoint) continue;
+      if (!is_tracked(feature)) continue;
       const Vector2 pixel(feature.pixel.data());
       const VertexHandle<Vector3> point = points_.at(feature.point);
       file_.edges.push_back(place.offset
                                 ? camera.type->observe_on_rig(file_.graph, pixel, pose, point,
                                                               offsets_.at(*place.offset), camera.vertex)
                                 : camera.type->observe(file_.graph, pixel, pose, point, camera.vertex));
+      if (expected > 0) file_.graph.reserve_edges(file_.edges.back(), std::exchange(expected, 0));
     }
   }
 
@@ -79,6 +100,8 @@ class GraphMaker {
   std::unordered_map<std::uint32_t, CameraVertex> cameras_;
   std::unordered_map<Id, VertexHandle<SE3>> poses_, offsets_;
   std::unordered_map<std::uint64_t, VertexHandle<Vector3>> points_;
+  /// The number of edges of each camera type, of cameras alone and on rigs; 0 when memory is reserved.
+  std::map<std::pair<const CameraType*, bool>, std::size_t> edge_count_;
 };
 
 /// Counts unusual parts.
