@@ -3,13 +3,14 @@
 // bench/RESULTS.md.
 //
 //     bundle_bench FOLDER          compares on the BAL files of FOLDER/bal
+//     bundle_bench forms FOLDER    compares only the forms of a problem
+//     bundle_bench form N FILE     runs form N of FILE once, to measure its memory
 //     bundle_bench collections     compares on photo collections only
 //     bundle_bench ceres FILE      optimizes FILE once by Ceres with DENSE_SCHUR, to measure its memory
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -158,50 +159,69 @@ void compare_all(const std::filesystem::path& folder) {
              geometric_mean(autodiff), geometric_mean(any), geometric_mean(two_threads));
 }
 
-/// A simulated street of 300 cameras and 60,000 points.
-BundleProblem street() {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / fmt::format("boxplus-street-{}.bal", getpid())).string();
-  write_graph(path, simulate_bundle(BundleShape::kStreet, {.cameras = 300, .points = 60'000}).graph);
-  BundleProblem problem = read_bundle_problem(path);
-  std::filesystem::remove(path);
-  return problem;
+/// Runs the iterations in which forms are compared.
+Report run_form(Graph& graph) {
+  return optimize(graph, {.start = Start::kCurrent, .max_iterations = 5, .noise_tolerance = 0, .threads = 1});
 }
 
-void compare_forms(const char* name, const BundleProblem& problem) {
+void compare_forms(const std::string& name, const std::string& programs, const std::string& path) {
+  const BundleProblem problem = read_bundle_problem(path);
   std::vector<Graph> graphs;
   for (const BundleForm form : kBundleForms) graphs.push_back(make_bundle_graph(problem, form));
   std::vector<Contestant> contestants;
   for (Graph& graph : graphs) {
     contestants.emplace_back([&] {
       graph.push();
-      const Report report = optimize(
-          graph, {.start = Start::kCurrent, .max_iterations = 5, .noise_tolerance = 0, .threads = 1});
+      const Report report = run_form(graph);
       graph.pop();
+      double steps = 0;  // with those that were rejected
+      for (const IterationRecord& record : report.records) steps += record.tries;
       const Report::Timings& time = report.time;
-      const double seconds = time.linearize_s + time.factorize_s + time.solve_s + time.evaluate_s;
-      return Figures{1e9 * seconds / (report.iterations * static_cast<double>(report.edges))};
+      const double seconds =
+          time.linearize_s / report.iterations + (time.factorize_s + time.solve_s + time.evaluate_s) / steps;
+      return Figures{1e9 * seconds / static_cast<double>(report.edges)};
     });
   }
   const std::vector<Figures> medians = interleaved_medians(contestants, {.least = 7, .most = 15});
-  fmt::print("\n| {} | ns | × |\n|---|--:|--:|\n", name);
-  for (std::size_t k = 0; k < medians.size(); ++k)
-    fmt::print("| {} | {:.0f} | {:.2f} |\n", describe(kBundleForms[k]), medians[k][0],
-               medians[k][0] / medians[0][0]);
+  fmt::print("\n| {} | ns | × | MiB | × |\n|---|--:|--:|--:|--:|\n", name);
+  double first_mib = 0;
+  for (std::size_t k = 0; k < medians.size(); ++k) {
+    const double mib = run_process({programs + "/bundle_bench", "form", std::to_string(k), path}).peak_mib;
+    if (k == 0) first_mib = mib;
+    fmt::print("| {} | {:.0f} | {:.2f} | {:.1f} | {:.2f} |\n", describe(kBundleForms[k]), medians[k][0],
+               medians[k][0] / medians[0][0], mib, mib / first_mib);
+  }
 }
 
 /// Compares the forms in which a program can state a problem. Each form runs the same number of iterations.
-void compare_all_forms(const std::filesystem::path& folder) {
+void compare_all_forms(const std::string& programs, const std::filesystem::path& folder) {
   fmt::print(
       "\n### Forms\n\n"
-      "ns per observation for one iteration, with one thread; the mean of the first five iterations.\n"
-      "The last column is the time divided by that of the first row. For all forms, vertices and edges\n"
-      "are added by a program. The street is simulated, with 300 cameras and 60,000 points.\n");
+      "ns per observation to linearize once and to try one step, with one thread; the mean of the first "
+      "five\n"
+      "iterations.\n"
+      "MiB is the peak memory of a process that adds the elements and runs these iterations.\n"
+      "The columns × are divided by the first row. For all forms, vertices and edges are added by a "
+      "program.\n"
+      "Principal points are fixed, and pixels are moved to where a camera of the model sees them. The\n"
+      "street is simulated, with 300 cameras and 60,000 points.\n");
   for (const BundleFile& file : kFiles) {
     const std::filesystem::path path = folder / "bal" / file.name;
-    if (std::filesystem::exists(path)) compare_forms(file.name, read_bundle_problem(path));
+    if (std::filesystem::exists(path)) compare_forms(file.name, programs, path);
   }
-  compare_forms("street", street());
+  const std::string street =
+      (std::filesystem::temp_directory_path() / fmt::format("boxplus-street-{}.bal", getpid())).string();
+  write_graph(street, simulate_bundle(BundleShape::kStreet, {.cameras = 300, .points = 60'000}).graph);
+  compare_forms("street", programs, street);
+  std::filesystem::remove(street);
+}
+
+/// Runs one of kBundleForms. The problem itself is gone when the run begins.
+void run_form_once(std::size_t form, const std::string& path) {
+  if (form >= std::size(kBundleForms)) throw std::runtime_error("expected the number of a form");
+  Graph graph = make_bundle_graph(read_bundle_problem(path), kBundleForms[form]);
+  const Report report = run_form(graph);
+  print_whole_run(report.time.total_s, report.chi2_final);
 }
 
 void compare_memory(const std::string& programs, const std::filesystem::path& folder) {
@@ -308,6 +328,14 @@ int main(int count, char** words) try {
     run_ceres_once(words[2]);
     return 0;
   }
+  if (count == 4 && std::string(words[1]) == "form") {
+    run_form_once(std::stoul(words[2]), words[3]);
+    return 0;
+  }
+  if (count == 3 && std::string(words[1]) == "forms") {
+    compare_all_forms(std::filesystem::read_symlink("/proc/self/exe").parent_path(), words[2]);
+    return 0;
+  }
   if (count == 2 && std::string(words[1]) == "collections") {
     compare_collections();
     return 0;
@@ -320,7 +348,7 @@ int main(int count, char** words) try {
   const std::filesystem::path folder = words[1];
   const std::string programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   compare_all(folder);
-  compare_all_forms(folder);
+  compare_all_forms(programs, folder);
   compare_memory(programs, folder);
   show_growth(programs);
   compare_collections();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bundle/bundle_forms.h"
 
+#include <cmath>
 #include <vector>
 
 #include "boxplus/manifold/product.h"
@@ -104,18 +105,38 @@ Graph with_vertices_of_intrinsics(const BundleProblem& problem, bool are_shared)
   return graph;
 }
 
-/// BAL's cameras look along −z, and their y points up. So the cameras of RADIAL are turned around x.
-Graph with_radial_cameras(const BundleProblem& problem) {
+/// The direction of a pixel of BAL, for a camera that looks along z and whose y points down.
+Vector3 direction_of(double x, double y, double f, double k1, double k2) {
+  const double distorted = std::hypot(x, y) / f;
+  double r = distorted;  // the solution of r (1 + k1 r² + k2 r⁴) = distorted, by Newton's method
+  for (int k = 0; k < 20; ++k) {
+    const double r2 = r * r;
+    r -= (r * (1 + r2 * (k1 + r2 * k2)) - distorted) / (1 + r2 * (3 * k1 + 5 * r2 * k2));
+  }
+  const double scale = distorted > 0 ? r / (distorted * f) : 0;
+  return {scale * x, -scale * y, 1};
+}
+
+/// A vertex for the pose and one for the intrinsics of each camera, which camera_of(BAL's f, k1, k2) returns.
+/// BAL's cameras look along −z, and their y points up. So the cameras of COLMAP are turned around x. Their
+/// principal points are fixed. Observations are moved to where a camera of this model sees them.
+template <class CameraOf>
+Graph with_colmap_cameras(const BundleProblem& problem, CameraOf&& camera_of) {
+  using Camera = decltype(camera_of(1.0, 0.0, 0.0));
+  constexpr int kCenter = Camera::Model::kFocalLengths;
   Graph graph;
   std::vector<VertexHandle<SE3>> poses;
-  std::vector<VertexHandle<RadialCamera>> intrinsics;
+  std::vector<VertexHandle<Camera>> intrinsics;
   const SE3 half_turn(Vector3(0, 0, 0), detail::Quaternion<double>{1, 0, 0, 0});
   for (const auto& c : problem.cameras) {
     poses.push_back(graph.add_vertex(camera_from_world(c).inverse() * half_turn));
-    intrinsics.push_back(graph.add_vertex(RadialCamera(c[6], 0.0, 0.0, c[7], c[8])));
+    intrinsics.push_back(graph.add_vertex(camera_of(c[6], c[7], c[8])));
+    graph.fix_directions(intrinsics.back(), {kCenter, kCenter + 1});
   }
   add_observations(problem, graph, [&](std::size_t camera, const auto& point, const auto& o) {
-    graph.add_edge(Reprojection<RadialCamera>(Vector2(o.x, -o.y)), poses[camera], point, intrinsics[camera]);
+    const auto& c = problem.cameras[camera];
+    const Vector2 pixel = camera_of(c[6], c[7], c[8]).project(direction_of(o.x, o.y, c[6], c[7], c[8]));
+    graph.add_edge(Reprojection<Camera>(pixel), poses[camera], point, intrinsics[camera]);
   });
   return graph;
 }
@@ -154,8 +175,14 @@ std::string_view describe(BundleForm form) {
       return "one vertex per camera";
     case BundleForm::kSeparateIntrinsics:
       return "intrinsics of each camera as a vertex";
+    case BundleForm::kSimpleRadial:
+      return "the same with SIMPLE_RADIAL";
     case BundleForm::kRadial:
-      return "the same with RADIAL, which has 2 more parameters";
+      return "the same with RADIAL";
+    case BundleForm::kOpenCv:
+      return "the same with OPENCV";
+    case BundleForm::kOpenCvFisheye:
+      return "the same with OPENCV_FISHEYE";
     case BundleForm::kSharedIntrinsics:
       return "shared intrinsics as a vertex";
     case BundleForm::kCustomEdge:
@@ -178,8 +205,20 @@ Graph make_bundle_graph(const BundleProblem& problem, BundleForm form) {
       return with_custom_edges<UserReprojectionWithJacobians>(problem);
     case BundleForm::kCamera:
       return with_one_vertex_per_camera(problem);
+    case BundleForm::kSimpleRadial:
+      return with_colmap_cameras(
+          problem, [](double f, double k1, double) { return SimpleRadialCamera(f, 0.0, 0.0, k1); });
     case BundleForm::kRadial:
-      return with_radial_cameras(problem);
+      return with_colmap_cameras(
+          problem, [](double f, double k1, double k2) { return RadialCamera(f, 0.0, 0.0, k1, k2); });
+    case BundleForm::kOpenCv:
+      return with_colmap_cameras(problem, [](double f, double k1, double k2) {
+        return OpenCvCamera(f, f, 0.0, 0.0, k1, k2, 0.0, 0.0);
+      });
+    case BundleForm::kOpenCvFisheye:
+      return with_colmap_cameras(problem, [](double f, double, double) {
+        return OpenCvFisheyeCamera(f, f, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+      });
     default:
       return with_vertices_of_intrinsics(problem, form == BundleForm::kSharedIntrinsics);
   }
