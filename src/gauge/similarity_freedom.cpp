@@ -64,6 +64,10 @@ void SimilarityTest::select(std::span<const VertexSlot> vertices, std::span<cons
     if (!graph_.vertex_pools()[v.pool]->get_frame(v.slot, frame)) continue;
     std::vector<WorldRole> candidates{WorldRole::kFrame, WorldRole::kInverse, WorldRole::kNone};
     if (!frame.has_rotation) std::erase(candidates, WorldRole::kInverse);
+    // A similarity has as many directions as the similarities of its world.
+    if (frame.has_rotation &&
+        graph_.vertex_pools()[v.pool]->tangent_dim(v.slot) == (frame.dimension == 2 ? 4 : 7))
+      candidates.push_back(WorldRole::kSimilarity);
     kinds_.push_back({id, frame.dimension, std::move(candidates)});
   }
 }

@@ -81,6 +81,7 @@ MatrixXd motion_tangents(const Graph& graph, VertexSlot vertex, WorldRole role, 
     tangent_after(m, -kAmount, backward.data());
     tangents.col(m) = (forward - backward) / (2 * kAmount);
   }
+  if (role == WorldRole::kSimilarity) tangents(dim - 1, motions.in_world() - 1) += 1;
   return tangents;
 }
 

@@ -13,9 +13,12 @@ namespace boxplus {
 
 /// The way in which a vertex's estimate depends on the coordinates of the world.
 enum class WorldRole : std::uint8_t {
-  kNone,    ///< no dependence, such as for a focal length or a bias
-  kFrame,   ///< T_world_body, or a point in the world
-  kInverse  ///< T_body_world, such as the pose of a camera that maps world points to its own frame
+  kNone,     ///< no dependence, such as for a focal length or a bias
+  kFrame,    ///< T_world_body, or a point in the world
+  kInverse,  ///< T_body_world, such as the pose of a camera that maps world points to its own frame
+  /// A similarity S_world_body, whose tangent ends with the logarithm of its scale, as that of Sim3. It
+  /// scales with the world.
+  kSimilarity
 };
 
 /// One direction of a vertex without a frame: a focal length, or one component of a bias.

@@ -63,6 +63,7 @@ void detail::UncheckedInformation::check(const FieldReader& in) const {
 
 detail::UncheckedInformation detail::read_unchecked_information(FieldReader& in, int rows,
                                                                 ToUpperTriangle to_upper_triangle) {
+  in.begin_information();
   const FieldPlace place = in.place();
   const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
   const std::span<const double> listed = read_listed(in, count);

@@ -12,12 +12,19 @@
 namespace boxplus {
 namespace {
 
-/// Throws InvalidArgument if `tag` is null. Names the tags of the registry if they are few.
-const Tag& require(const Tag* tag, const Registry& registry, const char* what, std::string_view type) {
+/// Throws InvalidArgument if the element has no tag. If the registry has few tags, it is that of a format
+/// with fixed types: the message names its tags, and the tag of the element in .g2o files.
+template <class Ref>
+const Tag& tag_of(const Registry& registry, const Graph& graph, Ref element, const char* what,
+                  std::string_view type) {
   constexpr std::size_t kFew = 10;
-  if (tag != nullptr) return *tag;
+  if (const Tag* tag = registry.tag_of(graph, element)) return *tag;
   const std::vector<std::string> names = registry.names();
-  const std::string tags = names.size() > kFew ? "" : fmt::format(" among {}", fmt::join(names, ", "));
+  std::string tags;
+  if (names.size() <= kFew) {
+    tags = fmt::format(" among {}", fmt::join(names, ", "));
+    if (const Tag* known = default_registry().tag_of(graph, element)) type = known->name;
+  }
   throw InvalidArgument(
       fmt::format("cannot write {} of type {}: no tag is registered for them{}", what, type, tags));
 }
@@ -25,12 +32,11 @@ const Tag& require(const Tag* tag, const Registry& registry, const char* what, s
 }  // namespace
 
 const Tag& tag_to_write(const Registry& registry, const Graph& graph, VertexRef vertex) {
-  return require(registry.tag_of(graph, vertex), registry, "vertices",
-                 graph.vertex_pools()[vertex.pool]->type_name());
+  return tag_of(registry, graph, vertex, "vertices", graph.vertex_pools()[vertex.pool]->type_name());
 }
 
 const Tag& tag_to_write(const Registry& registry, const Graph& graph, EdgeRef edge) {
-  return require(registry.tag_of(graph, edge), registry, "edges", graph.edge_pools()[edge.pool]->type_name());
+  return tag_of(registry, graph, edge, "edges", graph.edge_pools()[edge.pool]->type_name());
 }
 
 std::vector<Id> ids_to_write(const Registry& registry, const Graph& graph, const Tag& tag, EdgeRef edge) {

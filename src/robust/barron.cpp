@@ -5,6 +5,7 @@
 #include <string>
 
 #include "boxplus/base/error.h"
+#include "robust/squared_ratio.h"
 
 namespace boxplus {
 
@@ -18,7 +19,7 @@ std::unique_ptr<RobustKernel> Barron::clone() const {
 
 RobustKernel::Rho Barron::operator()(double e2) const {
   const double c2 = c_ * c_;
-  const double r = e2 / c2;
+  const double r = squared_ratio(e2, c2);
   const double sign = shape_ < 2 ? -1 : 1;
   if (shape_ == 2) return {e2, 1, 0};
   if (std::isinf(shape_)) {

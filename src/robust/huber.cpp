@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robust/squared_ratio.h"
+
 namespace boxplus {
 
 RobustKernel::Rho Huber::operator()(double e2) const {
@@ -15,10 +17,10 @@ RobustKernel::Rho Huber::operator()(double e2) const {
 
 RobustKernel::Rho PseudoHuber::operator()(double e2) const {
   const double d2 = delta_ * delta_;
-  const double root = std::sqrt(1 + e2 / d2);
+  const double root = std::sqrt(1 + squared_ratio(e2, d2));
   const double weight = 1 / root;
-  // 2 d² (root − 1), without cancellation.
-  return {2 * e2 / (root + 1), weight, -0.5 / d2 * weight * weight * weight};
+  // 2 d² (root − 1), without cancellation and overflow.
+  return {e2 / (0.5 * (root + 1)), weight, -0.5 / d2 * weight * weight * weight};
 }
 
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/robust/make_robust_kernel.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -17,9 +19,11 @@
 namespace boxplus {
 
 double detail::checked_kernel_width(double delta, std::string_view kernel) {
-  if (std::isfinite(delta) && delta > 0) return delta;
-  throw InvalidArgument("robust kernel " + std::string(kernel) + ": expected a finite width > 0, got " +
-                        std::to_string(delta));
+  if (delta >= kSmallestKernelWidth && delta <= kLargestKernelWidth) return delta;
+  const bool is_positive = std::isfinite(delta) && delta > 0;
+  throw InvalidArgument(fmt::format("robust kernel {}: expected {}, got {}", kernel,
+                                    is_positive ? "a width from 1e-100 to 1e100" : "a finite width > 0",
+                                    delta));
 }
 
 namespace {

@@ -3,12 +3,15 @@
 
 #include <cmath>
 
+#include "robust/squared_ratio.h"
+
 namespace boxplus {
 
 RobustKernel::Rho Cauchy::operator()(double e2) const {
   const double d2 = delta_ * delta_;
-  const double weight = 1 / (1 + e2 / d2);
-  return {d2 * std::log1p(e2 / d2), weight, -weight * weight / d2};
+  const double r = squared_ratio(e2, d2);
+  const double weight = 1 / (1 + r);
+  return {d2 * std::log1p(r), weight, -weight * weight / d2};
 }
 
 RobustKernel::Rho GemanMcClure::operator()(double e2) const {

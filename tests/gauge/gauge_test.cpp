@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "boxplus/boxplus.h"
+#include "boxplus/types/ba/similarity.h"
 #include "plan/active_set.h"
 
 namespace boxplus {
@@ -284,6 +285,36 @@ struct CountedMotion {
     return a.inverse_times(b).vector();
   }
 };
+
+SimilarityCamera similarity(int k) {
+  Vector<double, 7> logarithm;
+  logarithm << 0.3 * k, std::sin(k), 0.1, std::cos(2 * k), k, std::sin(3 * k), 0.2 * std::cos(k);
+  return {LoggedSim3(logarithm)};
+}
+
+TEST(Gauge, OfAChainOfSimilaritiesContainsTheScale) {
+  Graph graph;
+  std::vector<VertexHandle<SimilarityCamera>> cameras;
+  for (int k = 0; k < 5; ++k) {
+    cameras.push_back(graph.add_vertex(similarity(k)));
+    if (k > 0) graph.add_edge(SimilarityBetween(similarity(7 + k).similarity), cameras[k - 1], cameras[k]);
+  }
+  const Gauge all = gauge_of(graph, GaugePolicy::kError);
+  ASSERT_THAT(names_of(all), ElementsAre("translation, rotation and scale"));
+  EXPECT_EQ(all.freedoms[0].directions, 7);
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0));
+
+  // The pixel of a point at a known place determines two of the seven directions.
+  const auto point = graph.add_vertex(Vector3(0, 0, 9));
+  graph.fix(point);
+  graph.add_edge(SimilarityImage({0.1, 0.2}), point, cameras[0]);
+  const Gauge rest = gauge_of(graph);
+  ASSERT_THAT(rest.freedoms, SizeIs(1));
+  EXPECT_EQ(rest.freedoms[0].directions, 5);
+  EXPECT_TRUE(rest.freedoms[0].scale);
+  EXPECT_THAT(rest.held, IsEmpty());
+  EXPECT_THAT(rest.held_directions, SizeIs(5));
+}
 
 TEST(Gauge, OfManyKindsOfPosesIsFoundWithoutTryingAllCombinationsOfRoles) {
   Graph graph;

@@ -66,7 +66,7 @@ class SolverCalls : public BundleSystem {
  protected:
   /// Makes steps in several orders of calls, some of which are stopped.
   void make_steps(BatchSystem& by) {
-    by.configure({}, timings, StopToken(&stop));
+    by.configure({}, timings_, StopToken(&stop_));
     std::vector<double> step = zeros();
     for (const StepDamping& announced : {kDamped, kUndamped}) {
       by.expect(announced);
@@ -77,9 +77,9 @@ class SolverCalls : public BundleSystem {
         by.reject();
         by.curvature(step);
       }
-      stop = true;
+      stop_ = true;
       EXPECT_EQ(by.solve(kDamped, step).status, LinearStatus::kStopped);
-      stop = false;
+      stop_ = false;
       ASSERT_EQ(by.solve(kDamped, step).status, LinearStatus::kOk);
       by.try_step(step);
       by.accept();
@@ -89,16 +89,16 @@ class SolverCalls : public BundleSystem {
 
 TEST_P(SolverCalls, ObeyTheContract) {
   const auto solver = std::make_shared<WatchedSolver>();
-  BatchSystem watched = make_system(graph, columns(), threads(), solver);
+  BatchSystem watched = make_system(graph_, columns(), threads(), solver);
   make_steps(watched);
   EXPECT_EQ(solver->solutions, 10);
   EXPECT_GE(solver->factorizations, 10);
 }
 
 TEST_P(SolverCalls, ObeyTheContractWithoutElimination) {
-  for (const VertexRef& vertex : graph.all_vertices()) graph.set_eliminated(vertex, false);
+  for (const VertexRef& vertex : graph_.all_vertices()) graph_.set_eliminated(vertex, false);
   const auto solver = std::make_shared<WatchedSolver>();
-  BatchSystem watched = make_system(graph, columns(), threads(), solver);
+  BatchSystem watched = make_system(graph_, columns(), threads(), solver);
   make_steps(watched);
   EXPECT_EQ(solver->solutions, 10);
   EXPECT_EQ(solver->announcements, 10);

@@ -37,12 +37,12 @@ class BundleSystem : public ::testing::TestWithParam<std::tuple<ColumnStorage, i
   }
   static std::vector<double> copy(std::span<const double> vector) { return {vector.begin(), vector.end()}; }
 
-  BundleSystem() { system.configure({}, timings, StopToken(&stop)); }
+  BundleSystem() { system_.configure({}, timings_, StopToken(&stop_)); }
 
-  std::vector<double> zeros() const { return std::vector<double>(system.plan().scalars()); }
+  std::vector<double> zeros() const { return std::vector<double>(system_.plan().scalars()); }
   std::vector<double> solve(const StepDamping& damping) {
     std::vector<double> step = zeros();
-    EXPECT_EQ(system.solve(damping, step).status, LinearStatus::kOk);
+    EXPECT_EQ(system_.solve(damping, step).status, LinearStatus::kOk);
     return step;
   }
   /// A step from `seed` that is not a solution. Its entries are at most `largest`.
@@ -53,10 +53,10 @@ class BundleSystem : public ::testing::TestWithParam<std::tuple<ColumnStorage, i
     return step;
   }
 
-  Graph graph = large_bundle();
-  std::atomic<bool> stop = false;
-  Report::Timings timings;
-  BatchSystem system = make_system(graph, columns(), threads());
+  Graph graph_ = large_bundle();
+  std::atomic<bool> stop_ = false;
+  Report::Timings timings_;
+  BatchSystem system_ = make_system(graph_, columns(), threads());
 };
 
 inline std::string name_of_storage(

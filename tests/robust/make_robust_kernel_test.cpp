@@ -54,6 +54,8 @@ TEST(MakeRobustKernel, AcceptsAParameterOnlyForKernelsThatHaveOne) {
 TEST(MakeRobustKernel, RefusesBadWidthsAndShapes) {
   EXPECT_THAT(message_of("Huber", 0), HasSubstr("expected a finite width > 0"));
   EXPECT_THAT(message_of("Huber", -1), HasSubstr("got -1"));
+  EXPECT_THAT(message_of("Tukey", 1e-300), HasSubstr("expected a width from 1e-100 to 1e100, got 1e-300"));
+  EXPECT_THAT(message_of("Barron:1", 1e200), HasSubstr("Barron: expected a width from 1e-100 to 1e100"));
   EXPECT_THAT(message_of("DCS", std::numeric_limits<double>::quiet_NaN()), HasSubstr("robust kernel DCS"));
   EXPECT_THAT(message_of("Barron:", 1), HasSubstr("expected a number as shape"));
   EXPECT_THAT(message_of("Barron:1x", 1), HasSubstr("got '1x'"));

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/kernel_table.h"
@@ -38,12 +40,15 @@ TEST(RobustKernels, ObeyTheContractAtEveryWidth) {
 }
 
 TEST(RobustKernels, StayFiniteForHugeErrors) {
-  for (const detail::KernelEntry& kernel : detail::kernel_table()) {
-    const std::string name = name_of(kernel);
-    for (const double e2 : {1e-300, 1e100, 1e300}) {
-      const RobustKernel::Rho rho = (*make_robust_kernel(name, 1.0))(e2);
-      EXPECT_TRUE(std::isfinite(rho.value) && std::isfinite(rho.first) && std::isfinite(rho.second))
-          << name << " at " << e2;
+  std::vector<std::string> names = {"Barron:1", "Barron:-inf"};
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) names.push_back(name_of(kernel));
+  for (const std::string& name : names) {
+    for (const double delta : {detail::kSmallestKernelWidth, 1.0, detail::kLargestKernelWidth}) {
+      for (const double e2 : {0.0, 1e-300, 1.0, 1e100, 1e300, std::numeric_limits<double>::max()}) {
+        const RobustKernel::Rho rho = (*make_robust_kernel(name, delta))(e2);
+        EXPECT_TRUE(std::isfinite(rho.value) && std::isfinite(rho.first) && std::isfinite(rho.second))
+            << name << " of width " << delta << " at " << e2;
+      }
     }
   }
 }

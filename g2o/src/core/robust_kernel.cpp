@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/core/robust_kernel.h"
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -14,15 +15,17 @@
 namespace g2o {
 namespace {
 
-/// Sets rho to (ρ, ρ′, ρ″) of a kernel of boxplus with the width `delta`. If the width is not positive, sets
-/// rho to zero, so that the error has no effect.
+/// Sets rho to (ρ, ρ′, ρ″) of a kernel of boxplus with the width `delta`, or with the nearest width that
+/// boxplus accepts. If the width is not positive, sets rho to zero, so that the error has no effect.
 template <class Kernel>
 void robustify_by(double delta, double e2, Vector3& rho) {
   if (!(delta > 0)) {
     rho.setZero();
     return;
   }
-  const boxplus::RobustKernel::Rho value = Kernel(delta)(e2);
+  using boxplus::detail::kLargestKernelWidth, boxplus::detail::kSmallestKernelWidth;
+  const double width = std::clamp(delta, kSmallestKernelWidth, kLargestKernelWidth);
+  const boxplus::RobustKernel::Rho value = Kernel(width)(e2);
   rho << value.value, value.first, value.second;
 }
 

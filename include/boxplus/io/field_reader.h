@@ -79,6 +79,11 @@ class FieldReader {
   void note_indefinite() { has_indefinite_ = true; }
   bool has_indefinite() const { return has_indefinite_; }
 
+  /// Records that the next field is the first entry of Ω.
+  void begin_information() { fields_before_information_ = passed(); }
+  /// The number of fields before Ω, with the tag; 0 if the reader has not come to an Ω.
+  std::size_t fields_before_information() const { return fields_before_information_; }
+
   /// The place of the next field.
   FieldPlace place() const { return FieldPlace(passed()); }
   std::int64_t line_number() const { return line_number_; }
@@ -102,6 +107,7 @@ class FieldReader {
   std::int64_t line_number_;
   std::size_t position_ = 0;  // position in line_, unless the fields were converted
   std::size_t passed_ = 0;    // number of fields that were read from the text
+  std::size_t fields_before_information_ = 0;
   const double *first_ = nullptr, *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;
   bool is_converted_ = false, has_indefinite_ = false;
   ReadOptions::Indefinite policy_ = ReadOptions::Indefinite::kRefuse;

@@ -6,8 +6,11 @@
 
 namespace boxplus {
 
-/// Returns `delta` if it is finite and positive; throws InvalidArgument otherwise.
 namespace detail {
+/// The range of widths. Outside it, the square of a width or its reciprocal may overflow.
+constexpr double kSmallestKernelWidth = 1e-100, kLargestKernelWidth = 1e100;
+
+/// Returns `delta` if it is in this range; throws InvalidArgument otherwise.
 double checked_kernel_width(double delta, std::string_view kernel);
 }  // namespace detail
 

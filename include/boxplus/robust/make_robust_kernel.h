@@ -11,7 +11,7 @@ namespace boxplus {
 
 /// The kernel with the given name and width. "Barron:1.5" gives Barron's kernel with the shape 1.5; the shape
 /// may also be -inf. Throws InvalidArgument for an unknown name (the message lists the known ones) or a width
-/// that is not positive.
+/// that is not positive, or not from 1e-100 to 1e100.
 std::unique_ptr<RobustKernel> make_robust_kernel(std::string_view name, double delta);
 
 }  // namespace boxplus

@@ -71,6 +71,16 @@ std::size_t triangle(int rows) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
 }
 
+/// Throws JsonError if Ω does not begin after the fields of an edge. A wrong number of fields shifts all
+/// values that follow, so another error may be only a result of it.
+void require_all_fields(const JsonElement& element, const Tag& tag, const FieldReader& in) {
+  if (in.fields_before_information() == 0) return;
+  const std::size_t others = 1 + element.ids.values.size() + (tag.arguments.back().is_tail ? 1 : 0);
+  const std::size_t expected = in.fields_before_information() - others, given = element.fields.values.size();
+  if (expected != given)
+    refuse_meaning(element.fields.begin, fmt::format("{} fields, got {}", expected, given));
+}
+
 }  // namespace
 
 const Tag& JsonElementAdder::tag_of(const JsonElement& element, Tag::Kind kind) {
@@ -180,7 +190,18 @@ EdgeRef JsonElementAdder::add_edge(const JsonElement& element) {
   std::shared_ptr<const RobustKernel> wanted_kernel;
   if ((element.given & JsonElement::kKernel) != 0) wanted_kernel = kernel(element.kernel);
   EdgeRef edge;
-  with_fields(element, tag, [&](FieldReader& in) { edge = elements_.read_edge(tag, in).added; });
+  with_fields(element, tag, [&](FieldReader& in) {
+    try {
+      edge = elements_.read_edge(tag, in).added;
+      require_all_fields(element, tag, in);
+    } catch (const InputError&) {
+      require_all_fields(element, tag, in);
+      throw;
+    } catch (const JsonError&) {
+      if (edge != EdgeRef{}) graph_.remove(edge);
+      throw;
+    }
+  });
   if (edge == EdgeRef{}) refuse_meaning(element.ids.begin, "the ids of vertices, got −1");
   const int rows = graph_.information(edge).rows;
   if (tag.lists_information && element.information.values.size() != triangle(rows)) {

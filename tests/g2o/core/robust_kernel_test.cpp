@@ -3,6 +3,8 @@
 // g2o API).
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,6 +47,19 @@ TEST(RobustKernels, OfTheFactoryPassTheChecksAtEveryWidth) {
       const boxplus::KernelCheck check = check_kernel(Adapter(name, delta));
       EXPECT_TRUE(check) << check.message << ", delta " << delta;
     }
+  }
+}
+
+TEST(RobustKernels, WithHugeWidthsKeepTheSquaredErrorAndWithTinyWidthsStayFinite) {
+  std::vector<std::string> names;
+  g2o::RobustKernelFactory::instance()->fillKnownKernels(names);
+  for (const std::string& name : names) {
+    for (const double delta : {std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()}) {
+      EXPECT_NEAR(Adapter(name, delta)(9).value, 9, 1e-12) << name << ", delta " << delta;
+      EXPECT_NEAR(Adapter(name, delta)(9).first, 1, 1e-12) << name << ", delta " << delta;
+    }
+    const boxplus::RobustKernel::Rho rho = Adapter(name, 1e-300)(9);
+    EXPECT_TRUE(std::isfinite(rho.value) && std::isfinite(rho.first) && std::isfinite(rho.second)) << name;
   }
 }
 

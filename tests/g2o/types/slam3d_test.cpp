@@ -187,6 +187,48 @@ TEST(Slam3d, TheCacheOfACameraIsUpdatedWhenItsVertexMoves) {
   }
 }
 
+/// A camera whose K has a skew.
+struct SkewedCamera : g2o::ParameterCamera {
+  SkewedCamera() {
+    setKcam(500, 510, 320, 240);
+    _Kcam(0, 1) = 25;
+    _invKcam = _Kcam.inverse();
+  }
+};
+
+template <class Edge>
+void expect_skew() {
+  g2o::SparseOptimizer optimizer;
+  auto* camera = new SkewedCamera;
+  camera->setId(7);
+  ASSERT_TRUE(optimizer.addParameter(camera));
+  auto* robot = new g2o::VertexSE3;
+  robot->setId(0);
+  auto* point = new g2o::VertexPointXYZ;
+  point->setId(1);
+  point->setEstimate(g2o::Vector3(1, -2, 4));
+  ASSERT_TRUE(optimizer.addVertex(robot) && optimizer.addVertex(point));
+  auto* edge = new Edge;
+  edge->setVertex(0, robot);
+  edge->setVertex(1, point);
+  ASSERT_TRUE(edge->setParameterId(0, 7));
+  ASSERT_TRUE(optimizer.addEdge(edge));
+  edge->computeError();
+  EXPECT_NEAR(edge->error()[0], 500 * 0.25 + 25 * -0.5 + 320, 1e-12);
+  EXPECT_NEAR(edge->error()[1], 510 * -0.5 + 240, 1e-12);
+  edge_checks::expect_exact_jacobians(*edge);
+  ASSERT_TRUE(edge->setMeasurementFromState());
+  edge->computeError();
+  EXPECT_LT(edge->error().norm(), 1e-12);
+  edge->initialEstimate({robot}, point);
+  EXPECT_LT((point->estimate() - g2o::Vector3(1, -2, 4)).norm(), 1e-12);
+}
+
+TEST(Slam3d, DepthAndDisparityEdgesUseTheSkewOfACustomCamera) {
+  expect_skew<g2o::EdgeSE3PointXYZDepth>();
+  expect_skew<g2o::EdgeSE3PointXYZDisparity>();
+}
+
 TEST(Slam3d, GradientFunctionsOfPoseEdgesMatchCentralDifferences) {
   using g2o::internal::fromVectorMQT;
   g2o::Vector6 v;
