@@ -13,7 +13,7 @@ namespace boxplus::dense::BOXPLUS_ISA {
 template <int R, int... D>
 class CouplingLanes {
  public:
-  using Places = EdgePlaces<D...>;
+  using Places = EdgePlaces<R, D...>;
 
   /// Takes `count` edges, beginning with edge `first`. The other lanes are copies of the first edge.
   CouplingLanes(const CoupledEdges& tile, int first, int count) : tile_(tile), first_(first), count_(count) {
@@ -25,6 +25,9 @@ class CouplingLanes {
     for (int r = 0; r < R; ++r) product_[r] = Pack{};
     for_each_index<Places::kArity>([&](auto i) {
       constexpr int kDim = Places::dim(i);
+      bool any = false;
+      for (int lane = 0; lane < kLanes; ++lane) any = any || !is_eliminated(target(lane, i));
+      if (!any) return;
       const double* from[kLanes];
       for (int lane = 0; lane < kLanes; ++lane) from[lane] = kept_entries<kDim>(target(lane, i));
       Pack x[kDim];

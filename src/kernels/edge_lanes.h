@@ -27,9 +27,10 @@ inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
   }
 }
 
-/// The layout of the results of one edge, whose vertices have the tangent sizes D: first the blocks H_ij, j ≤
-/// i, in the order of EdgeLanes::targets, and then the gradient. Each block is column-major.
-template <int... D>
+/// The layout of the results of one edge, whose error has R rows and whose vertices have the tangent sizes D:
+/// first the blocks H_ij, j ≤ i, in the order of EdgeLanes::targets, and then the gradient. Each block is
+/// column-major, but a turned block is row-major.
+template <int R, int... D>
 struct EdgePlaces {
   static constexpr int kArity = sizeof...(D), kColumns = (D + ...);
   static constexpr int dim(int i) {
@@ -49,13 +50,20 @@ struct EdgePlaces {
   }
   /// The index of the first value of H_ij, j ≤ i.
   static constexpr int block(int i, int j) { return values_before(i) + dim(i) * first_column(j); }
+  /// Whether H_ij is turned: its usual target is transposed. The second vertex of a pixel is a point. Points
+  /// are usually eliminated, so that the column of the point contains the block.
+  static constexpr bool is_turned(int i, int j) { return R == 2 && i == 1 && j == 0 && dim(i) == 3; }
+  /// The index of the entry (a, b) of H_ij, j ≤ i.
+  static constexpr int entry(int i, int j, int a, int b) {
+    return block(i, j) + (is_turned(i, j) ? a * dim(j) + b : b * dim(i) + a);
+  }
 };
 
 /// The results of kLanes edges: the blocks of H and then the gradient. multiply() computes each value for all
 /// edges at once. turn_to_edges() then transposes the values, so that the values of each edge are contiguous.
 template <int R, int... D>
 struct LaneProducts {
-  using Places = EdgePlaces<D...>;
+  using Places = EdgePlaces<R, D...>;
   static constexpr int kArity = Places::kArity, kColumns = Places::kColumns;
   static constexpr int kGradient = Places::values_before(kArity), kSize = kGradient + kColumns;
   static constexpr int kStride = (kSize + kLanes - 1) / kLanes * kLanes;
@@ -131,24 +139,26 @@ struct LaneProducts {
     };
     for (int a = b; a < Places::dim(j); ++a) {
       const Pack value = product(Places::first_column(j) + a);
-      numbers[Places::block(j, j) + b * Places::dim(j) + a] =
-          numbers[Places::block(j, j) + a * Places::dim(j) + b] = value;
+      numbers[Places::entry(j, j, a, b)] = numbers[Places::entry(j, j, b, a)] = value;
     }
     for_each_vertex([&](auto i) {
       if constexpr (i > j) {
         for (int a = 0; a < Places::dim(i); ++a)
-          numbers[Places::block(i, j) + b * Places::dim(i) + a] = product(Places::first_column(i) + a);
+          numbers[Places::entry(i, j, a, b)] = product(Places::first_column(i) + a);
       }
     });
   }
 
   template <int i, int j>
   static void add_block(const double* from, std::uint32_t target, double* values) {
-    if (i == j || (target & kTransposedTarget) == 0)
-      return add_column<Places::dim(i) * Places::dim(j)>(values + target, from);
-    double* to = values + (target & ~kTransposedTarget);
-    for (int r = 0; r < Places::dim(i); ++r) {
-      for (int c = 0; c < Places::dim(j); ++c) to[r * Places::dim(j) + c] += from[c * Places::dim(i) + r];
+    constexpr bool is_turned = Places::is_turned(i, j);
+    constexpr int kRows = is_turned ? Places::dim(j) : Places::dim(i);  // of the column-major values
+    constexpr int kCols = is_turned ? Places::dim(i) : Places::dim(j);
+    double* const to = values + (target & ~kTransposedTarget);
+    if (i == j || ((target & kTransposedTarget) != 0) == is_turned)
+      return add_column<kRows * kCols>(to, from);
+    for (int r = 0; r < kRows; ++r) {
+      for (int c = 0; c < kCols; ++c) to[r * kCols + c] += from[c * kRows + r];
     }
   }
 };

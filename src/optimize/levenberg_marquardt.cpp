@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/levenberg_marquardt.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "optimize/outcome.h"
 #include "optimize/vector_math.h"
 
@@ -10,6 +13,17 @@ namespace {
 constexpr double kInitialDamping = 1e-5;
 constexpr double kMinLambda = 1e-16, kMaxLambda = 1e32;
 constexpr int kMaxTries = 30;
+
+/// By how much to change the damping after a step that had the fraction `gain` of its predicted decrease, and
+/// was accepted in the given try. At most half of the decrease raises the damping, by the rule of Nielsen
+/// ("Damping parameter in Marquardt's method", 1999). For more than half, his rule lowers it by little, so
+/// that points on their way to infinity take many iterations; a third of the damping is worth a try. But if a
+/// step has just been rejected, the damping is about right.
+double damping_factor(double gain, int tries) {
+  const double by_nielsen = std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
+  if (gain <= 0.5) return by_nielsen;
+  return tries == 1 ? 1.0 / 3 : std::max(2.0 / 3, by_nielsen);
+}
 
 }  // namespace
 
@@ -72,8 +86,8 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
   }
 }
 
-/// If the step lowers chi2, takes it, updates the damping, and returns true. The better the model predicted
-/// the decrease, the lower the new damping is. Otherwise, takes no step and returns false.
+/// If the step lowers chi2, takes it, updates the damping, and returns true. Otherwise, takes no step and
+/// returns false.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
   record.step_max = max_abs(step_);
   record.predicted_decrease = predicted_;
@@ -86,8 +100,7 @@ bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord&
     return false;
   }
   system.accept();
-  const double cubed = 1 - std::pow(2 * gain - 1, 3);
-  lambda_ = std::max(kMinLambda, lambda_ * std::max(1.0 / 3, cubed));
+  lambda_ = std::max(kMinLambda, lambda_ * damping_factor(gain, record.tries));
   growth_ = 2;
   return true;
 }
