@@ -46,11 +46,14 @@ StepResult GaugeRemoval::hold_or_damp(StepResult result, const Solver& solver) {
   while (result.status == LinearStatus::kNotPositiveDefinite && policy_ == GaugePolicy::kFixFirst &&
          hold_lost_pivot())
     result = solver.once();
-  if (result.status != LinearStatus::kNotPositiveDefinite) return result;
+  // Without a pivot of a loose block, hold_lost_pivot() can only guess. An edge may measure what it held.
+  const bool holds_too_much = result.status == LinearStatus::kOk && !solver.held_are_free();
+  if (result.status != LinearStatus::kNotPositiveDefinite && !holds_too_much) return result;
   lost.resize(before);
   const bool holds_too_little = policy_ == GaugePolicy::kFixFirst && !plan_->freedoms.empty();
   const bool damps_too_little = policy_ == GaugePolicy::kDamp && has_other_types();
-  if ((!holds_too_little && !damps_too_little) || current_.damping != 0) return result;
+  if (holds_too_much && current_.damping != 0) return {.status = LinearStatus::kNotPositiveDefinite};
+  if ((!holds_too_much && !holds_too_little && !damps_too_little) || current_.damping != 0) return result;
   current_.damping = kGaugeDamping;
   return solver.once();
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "optimize/outcome.h"
 #include "optimize/vector_math.h"
@@ -14,23 +15,15 @@ constexpr double kInitialDamping = 1e-5;
 constexpr double kMinLambda = 1e-16, kMaxLambda = 1e32;
 constexpr int kMaxTries = 30;
 
-/// By how much to change the damping after a step that had the fraction `gain` of its predicted decrease, and
-/// was accepted in the given try. At most half of the decrease raises the damping, by the rule of Nielsen
-/// ("Damping parameter in Marquardt's method", 1999). For more than half, his rule lowers it by little, so
-/// that points on their way to infinity take many iterations; a third of the damping is worth a try. But if a
-/// step has just been rejected, the damping is about right.
-double damping_factor(double gain, int tries) {
-  const double by_nielsen = std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
-  if (gain <= 0.5) return by_nielsen;
-  return tries == 1 ? 1.0 / 3 : std::max(2.0 / 3, by_nielsen);
-}
-
 }  // namespace
 
 void LevenbergMarquardt::reset(const Options& options, std::size_t scalars) {
   scale_ = options.damping;
   user_lambda_ = options.initial_lambda;
   growth_ = 2;
+  was_eager_ = false;
+  patience_ = 1;
+  wait_ = 0;
   // The scale of the identity is known after the first linearization.
   started_ = user_lambda_ > 0 || scale_ != Options::DampingScale::kIdentity;
   if (started_) lambda_ = user_lambda_ > 0 ? std::min(user_lambda_, kMaxLambda) : kInitialDamping;
@@ -86,6 +79,29 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
   }
 }
 
+/// The factor of the damping after a step that had the fraction `gain` of its predicted decrease. `at_once`
+/// says whether no longer step was rejected before. By the rule of Nielsen ("Damping parameter in Marquardt's
+/// method", 1999), the damping hardly changes if `gain` is between 0.5 and 0.8. Then points on their way to
+/// infinity take many iterations. So an eager third of the damping is worth a try; but if it leads to a
+/// rejected step, the next tries wait, twice as long each time.
+double LevenbergMarquardt::damping_factor(double gain, bool at_once) {
+  constexpr int kLongestWait = 1 << 20;
+  constexpr double kLeast = 1.0 / 3, kLeastAfterRejection = 2.0 / 3;
+  const double by_nielsen = std::max(kLeast, 1 - std::pow(2 * gain - 1, 3));
+  if (std::exchange(was_eager_, false)) {
+    patience_ = at_once ? 1 : std::min(kLongestWait, 2 * patience_);
+    if (!at_once) wait_ = patience_;
+  }
+  if (gain <= 0.5) return by_nielsen;
+  if (!at_once) return std::max(kLeastAfterRejection, by_nielsen);
+  if (wait_ > 0) {
+    --wait_;
+    return by_nielsen;
+  }
+  was_eager_ = by_nielsen > kLeast;
+  return kLeast;
+}
+
 /// If the step lowers chi2, takes it, updates the damping, and returns true. Otherwise, takes no step and
 /// returns false.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
@@ -100,7 +116,7 @@ bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord&
     return false;
   }
   system.accept();
-  lambda_ = std::max(kMinLambda, lambda_ * damping_factor(gain, record.tries));
+  lambda_ = std::max(kMinLambda, lambda_ * damping_factor(gain, record.tries == 1));
   growth_ = 2;
   return true;
 }

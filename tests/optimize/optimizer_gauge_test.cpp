@@ -409,6 +409,73 @@ TEST(Gauge, OfAScaleIsNotFreeIfTheFocalLengthIsMeasuredOrASecondPointIsKnown) {
   }
 }
 
+/// Kept vertices see eliminated vertices along their entry 1. Their other entries are measured. So only a
+/// shift of all entries 1 and all eliminated vertices is free.
+struct FreeShift {
+  double seen;
+  Vector3 measured;
+  template <class S>
+  Vector<S, 4> error(const Vector<S, 4>& kept, const Vector<S, 1>& eliminated) const {
+    return {eliminated[0] - kept[1] - seen, kept[0] - measured[0], kept[2] - measured[1],
+            kept[3] - measured[2]};
+  }
+};
+
+TEST(Gauge, HoldsNoMeasuredDirectionWhateverTheSolverEliminatesLast) {
+  for (const detail::LinearSolverEntry& solver : every_solver()) {
+    if (solver.method == detail::LinearSolverEntry::Method::kIterative) continue;
+    for (const AlgorithmKind algorithm :
+         {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+      SCOPED_TRACE(std::string(solver.name) + " " + std::to_string(static_cast<int>(algorithm)));
+      Graph graph;
+      std::vector<VertexHandle<Vector<double, 4>>> kept;
+      for (int i = 0; i < 3; ++i)
+        kept.push_back(graph.add_vertex(Vector<double, 4>(Vector<double, 4>::Zero())));
+      for (int k = 0; k < 5; ++k) {
+        const auto eliminated = graph.add_vertex(Vector<double, 1>(Vector<double, 1>::Zero()));
+        graph.set_eliminated(eliminated, true);
+        for (int i = 0; i < 3; ++i)
+          graph.add_edge(FreeShift{2.0 * k - i, Vector3(1 + i, 2, 3)}, 1.0, kept[static_cast<std::size_t>(i)],
+                         eliminated);
+      }
+      const Report report = optimize(graph, {.algorithm = algorithm, .linear_solver = solver.kind});
+      EXPECT_TRUE(report.converged()) << report;
+      EXPECT_LT(report.chi2_final, 1e-15) << report;
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(graph.estimate(kept[static_cast<std::size_t>(i)])[0], 1 + i, 1e-9);
+    }
+  }
+}
+
+/// Entry 2 of the camera is not measured.
+struct WithoutEntryOfCamera {
+  double z;
+  template <class S>
+  Vector<S, 7> error(const Vector<S, 2>& pose, const Vector<S, 4>& camera, const Vector<S, 1>& point) const {
+    return {point[0] - z, pose[0], pose[1] + point[0], camera[0], camera[1] - point[0], camera[3], S(0)};
+  }
+};
+
+TEST(Gauge, OfACameraIsNamedAlsoIfItIsOneBlockWithItsPose) {
+  for (const detail::LinearSolverEntry& solver : every_solver()) {
+    SCOPED_TRACE(solver.name);
+    Graph graph;
+    const auto pose = graph.add_vertex(Vector<double, 2>(1, 2), 1);
+    const auto camera = graph.add_vertex(Vector<double, 4>(1, 2, 3, 4), 2);
+    const auto anchor = graph.add_vertex(Vector<double, 1>(Vector<double, 1>::Zero()), 3);
+    graph.fix(anchor);
+    for (int k = 0; k < 5; ++k) {
+      const auto point = graph.add_vertex(Vector<double, 1>(Vector<double, 1>::Zero()), 10 + k);
+      graph.add_edge([](const auto& a, const auto& b) { return (a - b).eval(); }, anchor, point);
+      graph.set_eliminated(point, true);
+      graph.add_edge(WithoutEntryOfCamera{1.0 * k}, 1.0, pose, camera, point);
+    }
+    const Report report =
+        optimize(graph, {.algorithm = AlgorithmKind::kGaussNewton, .linear_solver = solver.kind});
+    EXPECT_THAT(report.message, testing::HasSubstr("vertex 2")) << report;
+  }
+}
+
 TEST(Gauge, IsNotFixedByParameters) {
   Graph graph;
   const auto offset = graph.add_parameter(SE3());

@@ -84,6 +84,8 @@ class FieldReader {
   /// The number of fields before Ω, with the tag; 0 if the reader has not come to an Ω.
   std::size_t fields_before_information() const { return fields_before_information_; }
 
+  /// The number of fields that were read, with the tag.
+  std::size_t passed() const { return passed_ + static_cast<std::size_t>(next_ - first_); }
   /// The place of the next field.
   FieldPlace place() const { return FieldPlace(passed()); }
   std::int64_t line_number() const { return line_number_; }
@@ -94,7 +96,6 @@ class FieldReader {
   [[noreturn]] void fail(FieldPlace place, const std::string& message) const;
 
  private:
-  std::size_t passed() const { return passed_ + static_cast<std::size_t>(next_ - first_); }
   std::size_t position_of(std::size_t field) const;
   void go_on_with_text();
   double number_from_text(std::string_view what);

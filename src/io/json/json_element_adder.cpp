@@ -71,14 +71,18 @@ std::size_t triangle(int rows) {
   return static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
 }
 
-/// Throws JsonError if Ω does not begin after the fields of an edge. A wrong number of fields shifts all
-/// values that follow, so another error may be only a result of it.
+/// Throws JsonError if Ω does not begin after the fields of an edge, or if the reader has read more than the
+/// fields without coming to Ω. A wrong number of fields shifts all values that follow, so another error may
+/// be only a result of it.
 void require_all_fields(const JsonElement& element, const Tag& tag, const FieldReader& in) {
-  if (in.fields_before_information() == 0) return;
   const std::size_t others = 1 + element.ids.values.size() + (tag.arguments.back().is_tail ? 1 : 0);
-  const std::size_t expected = in.fields_before_information() - others, given = element.fields.values.size();
-  if (expected != given)
-    refuse_meaning(element.fields.begin, fmt::format("{} fields, got {}", expected, given));
+  const std::size_t given = element.fields.values.size(), before_information = in.fields_before_information();
+  if (before_information == 0 && in.passed() > others + given) {
+    refuse_meaning(element.fields.begin, fmt::format("more than {} field{}", given, given == 1 ? "" : "s"));
+  } else if (before_information != 0 && before_information != others + given) {
+    refuse_meaning(element.fields.begin,
+                   fmt::format("{} fields, got {}", before_information - others, given));
+  }
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Dampi
     if (lost != structure_->scalars()) {
       const auto above = std::upper_bound(structure_->offset.begin(), structure_->offset.end(), lost);
       return {LinearStatus::kNotPositiveDefinite,
-              static_cast<std::uint32_t>(above - structure_->offset.begin()) - 1};
+              static_cast<std::uint32_t>(above - structure_->offset.begin()) - 1, lost};
     }
   }
   factorized_ = true;

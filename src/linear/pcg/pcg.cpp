@@ -42,8 +42,9 @@ FactorResult Pcg::factorize(const BlockSystem& system, const Damping& damping, c
       limit[i] = kLostPivot * block[i * (dim + 1)];
     }
     const int size = static_cast<int>(dim);
-    if (dense::factor_panel(block, size, size, size, limit) < size)
-      return {LinearStatus::kNotPositiveDefinite, j};
+    const int good = dense::factor_panel(block, size, size, size, limit);
+    if (good < size)
+      return {LinearStatus::kNotPositiveDefinite, j, s.offset[j] + static_cast<std::uint32_t>(good)};
     block += std::size_t{dim} * dim;
   }
   system_ = &system;

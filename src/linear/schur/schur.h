@@ -40,11 +40,11 @@ enum class KeptBlocks : std::uint8_t {
 /// Only the constructor allocates memory. `structure` must outlive this object.
 class Schur {
  public:
-  /// Uses at most `threads` threads. Slices begin only at columns in `bounds` (AnalyzeHints); empty: at any
-  /// column. Throws Stopped when the token is raised.
-  Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
-        KeptBlocks kept = KeptBlocks::kSeparate, int threads = 1, std::span<const std::uint32_t> bounds = {},
-        const StopToken& stop = {});
+  /// Eliminates hints.eliminated_blocks blocks, with at most hints.threads threads. Slices begin only at
+  /// columns in hints.elimination_bounds. No block is joined to one that is in hints.last, so that this block
+  /// can be the last of all. Throws Stopped when the token is raised.
+  Schur(const BlockStructure& structure, const AnalyzeHints& hints, bool explicit_values,
+        KeptBlocks kept = KeptBlocks::kSeparate, const StopToken& stop = {});
 
   /// Leaves scalars of H out of S and of reduced_r: their rows and columns become zero, except for the
   /// diagonal, which stays that of H. The result is the same as if their rows in W were zero, and so they may

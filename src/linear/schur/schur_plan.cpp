@@ -47,19 +47,25 @@ bool are_coupled_alike(const RowsOfW& rows, std::uint32_t b) {
 }
 
 /// Chooses the block of S for each kept block. Blocks are joined only if there are kernels for the result.
-std::vector<Schur::Place> place_blocks(const BlockStructure& structure, std::uint32_t eliminated,
+std::vector<Schur::Place> place_blocks(const BlockStructure& structure, const AnalyzeHints& hints,
                                        const RowsOfW& rows, KeptBlocks kept) {
+  const std::uint32_t eliminated = hints.eliminated_blocks;
   std::vector<Schur::Place> places;
   std::uint32_t size = 0;  // of the last block of S
+  const auto can_join = [&](std::uint32_t block, std::uint32_t joined) {
+    const bool is_last = std::find(hints.last.begin(), hints.last.end(), block - 1) != hints.last.end();
+    return !is_last && structure.dim(block) > 0 && size > 0 &&
+           are_coupled_alike(rows, block - 1 - eliminated) &&
+           dense::kernels().elimination_kernels_for(static_cast<int>(joined), 1) != nullptr;
+  };
   for (std::uint32_t block = eliminated; block < structure.blocks(); ++block) {
-    const std::uint32_t b = block - eliminated, joined = size + structure.dim(block);
-    const bool joins = b > 0 && kept == KeptBlocks::kJoined && are_coupled_alike(rows, b - 1) &&
-                       dense::kernels().elimination_kernels_for(static_cast<int>(joined), 1) != nullptr;
-    if (joins) {
+    const bool is_first = block == eliminated;
+    const std::uint32_t joined = size + structure.dim(block);
+    if (!is_first && kept == KeptBlocks::kJoined && can_join(block, joined)) {
       places.push_back({places.back().block, size});
       size = joined;
     } else {
-      places.push_back({b == 0 ? 0 : places.back().block + 1, 0});
+      places.push_back({is_first ? 0 : places.back().block + 1, 0});
       size = structure.dim(block);
     }
   }
@@ -103,12 +109,12 @@ constexpr std::uint32_t kMostSlices = 8, kValuesPerSlice = 1u << 14, kValuesPerC
 
 }  // namespace
 
-Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
-             KeptBlocks kept, int threads, std::span<const std::uint32_t> bounds, const StopToken& stop)
-    : structure_(&structure), eliminated_(eliminated_blocks), threads_(threads) {
+Schur::Schur(const BlockStructure& structure, const AnalyzeHints& hints, bool explicit_values,
+             KeptBlocks kept, const StopToken& stop)
+    : structure_(&structure), eliminated_(hints.eliminated_blocks), threads_(hints.threads) {
   PacedStop pace(stop);
   const RowsOfW rows(structure, eliminated_, pace);
-  places_ = place_blocks(structure, eliminated_, rows, kept);
+  places_ = place_blocks(structure, hints, rows, kept);
   std::vector<std::uint32_t> dims(places_.empty() ? 0 : places_.back().block + 1, 0);
   for (std::uint32_t b = 0; b < places_.size(); ++b) dims[places_[b].block] += structure.dim(eliminated_ + b);
   std::size_t factor_values = 0;
@@ -123,7 +129,7 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
   diagonal_start_.push_back(0);
   for (const std::uint32_t dim : dims) diagonal_start_.push_back(diagonal_start_.back() + dim * dim);
   if (explicit_values) set_targets(pace);
-  make_slices(bounds, pace);
+  make_slices(hints.elimination_bounds, pace);
 }
 
 /// The number of blocks of S that an eliminated column is coupled with.

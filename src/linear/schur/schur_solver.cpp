@@ -44,8 +44,7 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
   const std::uint32_t eliminated = hints.eliminated_blocks;
   if (eliminated == 0 || eliminated == structure.blocks()) return inner_->analyze(structure, hints, stop);
   const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() == Needs::kBlocks;
-  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, kept_, hints.threads,
-                                       hints.elimination_bounds, stop);
+  auto schur = std::make_unique<Schur>(structure, hints, make_values, kept_, stop);
   if (make_values) {
     reduced_ = std::make_unique<AssembledSystem>(schur->reduced_structure(), schur->reduced_values());
   } else {

@@ -182,6 +182,13 @@ TEST(JsonReader, NamesTheNumberOfFieldsIfItIsWrongWhateverTheInformationWouldThe
   const std::string text = format_graph(parse_graph(lots, "g"), {.format = "json"});
   EXPECT_THAT(complaint(replaced(text, "\"fields\": [2, 1, 2, 3, 4]", "\"fields\": [2, 1, 2, 3, 4, 5]")),
               HasSubstr("expected 5 fields, got 6"));
+  const std::string poses =
+      format_graph(parse_graph("VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 0 0 0 0 0 0 1\n"
+                               "EDGE_SE3:QUAT 0 1 5 6 7 0 0 0 1 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 9 0 0 9 0 9\n",
+                               "g"),
+                   {.format = "json"});
+  EXPECT_THAT(complaint(replaced(poses, "[5, 6, 7, 0, 0, 0, 1]", "[5, 6, 7, 0, 0, 0]")),
+              HasSubstr("expected more than 6 fields"));
 }
 
 TEST(JsonReader, RefusesKeptLinesThatWouldBePartOfTheGraph) {

@@ -38,6 +38,9 @@ struct Problem {
   Problem(const Problem&) = delete;
 
   Eigen::Index kept() const { return hessian.rows() - eliminated; }
+  AnalyzeHints hints(int threads = 1) const {
+    return {.threads = threads, .eliminated_blocks = plan.eliminated_blocks};
+  }
 };
 
 /// The results of dense matrices. They take most of the time, so each problem needs them only once.
@@ -131,7 +134,7 @@ void check_elimination(Problem& problem) {
   const std::vector<double> before(problem.linearizer.values().begin(), problem.linearizer.values().end());
   const Reference reference(problem);
   for (const auto& [explicit_values, kept] : kForms) {
-    Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values, kept);
+    Schur schur(problem.plan.structure, problem.hints(), explicit_values, kept);
     // The second elimination must overwrite the results of the first one.
     for (int round = 0; round < 2; ++round) {
       ASSERT_EQ(schur.eliminate(problem.linearizer.values(), problem.damping).status, LinearStatus::kOk);
@@ -169,7 +172,7 @@ TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
 /// product with S.
 std::vector<double> results(const Problem& problem, std::pair<bool, KeptBlocks> form, int threads,
                             bool reduces_at_once) {
-  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, form.first, form.second, threads);
+  Schur schur(problem.plan.structure, problem.hints(threads), form.first, form.second);
   const std::size_t size = problem.plan.structure.scalars(), kept = schur.reduced_structure().scalars();
   std::vector<double> r(size), reduced_r(kept), x(size);
   for (std::size_t i = 0; i < size; ++i) r[i] = std::sin(static_cast<double>(i));
@@ -205,8 +208,8 @@ TEST(Schur, EliminatesColumnByColumnWithTheSameBits) {
   std::vector<double> r(structure.scalars());
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::sin(static_cast<double>(i));
   const std::vector<std::uint32_t> bounds{0, 64, 192, 256, 512, 576, 600};
-  Schur whole(structure, 600, true, KeptBlocks::kSeparate, 2, bounds),
-      stepwise(structure, 600, true, KeptBlocks::kSeparate, 2, bounds);
+  const AnalyzeHints hints{.threads = 2, .eliminated_blocks = 600, .elimination_bounds = bounds};
+  Schur whole(structure, hints, true), stepwise(structure, hints, true);
   std::vector<double> expected(whole.reduced_structure().scalars()), actual(expected.size());
   const auto eliminate = [&] {
     return whole.eliminate(problem.linearizer.values(), problem.damping, {}, r.data(), expected.data());
@@ -234,7 +237,7 @@ TEST(Schur, NamesTheSameBlockForAnyNumberOfThreads) {
   for (const std::uint32_t block : {400u, 99u})
     values[structure.value_start[structure.column_start[block]]] = -1;
   for (const int threads : {1, 2, 5}) {
-    Schur schur(structure, problem.plan.eliminated_blocks, true, KeptBlocks::kSeparate, threads);
+    Schur schur(structure, problem.hints(threads), true);
     for (int round = 0; round < 2; ++round) {
       const FactorResult result = schur.eliminate(values, {});
       EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
@@ -266,7 +269,7 @@ TEST(Schur, ReportsThePointThatOnlyOneCameraSees) {
   bundle.graph.set_eliminated(lonely, true);
   bundle.graph.add_edge(Reprojection{10, 20}, bundle.cameras[1], lonely);
   Problem problem(std::move(bundle), 0, false);
-  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, true);
+  Schur schur(problem.plan.structure, problem.hints(), true);
   const FactorResult result = schur.eliminate(problem.linearizer.values(), problem.damping);
   EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
   ASSERT_LT(result.failed_block, problem.plan.block_vertex.size());
@@ -278,7 +281,7 @@ TEST(Schur, ReportsTheBlockThatIsNotFinite) {
   Problem problem(make_bundle(2, 5, true), 0, false);
   std::vector<double> values(problem.linearizer.values().begin(), problem.linearizer.values().end());
   values[problem.plan.structure.value_start[problem.plan.structure.column_start[3]]] = std::nan("");
-  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, true);
+  Schur schur(problem.plan.structure, problem.hints(), true);
   const FactorResult result = schur.eliminate(values, {});
   EXPECT_EQ(result.status, LinearStatus::kNotFinite);
   EXPECT_EQ(result.failed_block, 3u);
@@ -318,7 +321,7 @@ TEST(Schur, EqualsTheDenseComplementForBlocksOfAllSizes) {
                                 W * damped.topLeftCorner(eliminated, eliminated).llt().solve(W.transpose());
       const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, -1, 2), solved = damped.llt().solve(r);
       for (const KeptBlocks blocks : {KeptBlocks::kSeparate, KeptBlocks::kJoined}) {
-        Schur schur(system.structure, 8, true, blocks);
+        Schur schur(system.structure, {.eliminated_blocks = 8}, true, blocks);
         ASSERT_EQ(schur.eliminate(system.values, {lambda, nullptr}).status, LinearStatus::kOk);
         EXPECT_LE((dense_matrix(schur.reduced_structure(), schur.reduced_values()) - S).norm(),
                   1e-12 * H.norm());
@@ -336,8 +339,8 @@ TEST(Schur, EqualsTheDenseComplementForBlocksOfAllSizes) {
 }
 
 /// The sizes of the blocks of S, after joining.
-std::vector<std::uint32_t> joined_dims(const BlockStructure& structure, std::uint32_t eliminated) {
-  const Schur schur(structure, eliminated, true, KeptBlocks::kJoined);
+std::vector<std::uint32_t> joined_dims(const BlockStructure& structure, const AnalyzeHints& hints) {
+  const Schur schur(structure, hints, true, KeptBlocks::kJoined);
   std::vector<std::uint32_t> dims;
   for (std::uint32_t block = 0; block < schur.reduced_structure().blocks(); ++block)
     dims.push_back(schur.reduced_structure().dim(block));
@@ -350,25 +353,31 @@ TEST(Schur, JoinsConsecutiveBlocksThatAreCoupledWithTheSameEliminatedBlocks) {
                                            {5, 0}, {5, 1}, {6, 0}, {6, 1},           // another pair
                                            {7, 0}, {7, 2}, {8, 1}, {8, 2}, {9, 8}};  // no two alike
   const std::vector<std::uint32_t> expected{10, 10, 6, 5, 2};
-  EXPECT_EQ(joined_dims(make_block_structure(dims, edges), 3), expected);
+  EXPECT_EQ(joined_dims(make_block_structure(dims, edges), {.eliminated_blocks = 3}), expected);
 }
 
 TEST(Schur, JoinsNoBlocksThatAreCoupledWithNoEliminatedBlock) {
   const std::vector<BlockCoordinate> edges{{1, 0}, {3, 2}};
   const std::vector<std::uint32_t> expected{6, 6, 3};
-  EXPECT_EQ(joined_dims(make_block_structure({3, 6, 6, 3}, edges), 1), expected);
+  EXPECT_EQ(joined_dims(make_block_structure({3, 6, 6, 3}, edges), {.eliminated_blocks = 1}), expected);
 }
 
 TEST(Schur, JoinsBlocksOnlyIfThereAreKernelsForTheResult) {
   const TestSystem system = system_of({3, 3}, {6, 9, 6, 9, 6});
   EXPECT_EQ(dense::kernels().elimination_kernels_for(15, 3), nullptr);
   const std::vector<std::uint32_t> expected{6, 9, 6, 9, 6};
-  EXPECT_EQ(joined_dims(system.structure, 2), expected);
+  EXPECT_EQ(joined_dims(system.structure, {.eliminated_blocks = 2}), expected);
+}
+
+TEST(Schur, JoinsNoBlockToOneThatMustComeLast) {
+  const TestSystem system = system_of({3, 3}, {6, 4, 2, 5});
+  const std::vector<std::uint32_t> last{3}, expected{10, 7};
+  EXPECT_EQ(joined_dims(system.structure, {.eliminated_blocks = 2, .last = last}), expected);
 }
 
 TEST(Schur, FindsTheBlockOfEachScalarOfAJoinedBlock) {
   const TestSystem system = system_of({3, 3}, {6, 4, 6, 2});
-  const Schur schur(system.structure, 2, true, KeptBlocks::kJoined);
+  const Schur schur(system.structure, {.eliminated_blocks = 2}, true, KeptBlocks::kJoined);
   EXPECT_EQ(schur.place_of(3).block, 0u);
   EXPECT_EQ(schur.place_of(3).first, 6u);
   for (const auto& [scalar, block] :
@@ -380,7 +389,7 @@ TEST(Schur, IsEmptyIfAllVerticesAreEliminated) {
   Bundle bundle = make_bundle(2, 20, true);
   for (const auto& camera : bundle.cameras) bundle.graph.fix(camera);
   Problem problem(std::move(bundle), 0, false);
-  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, true);
+  Schur schur(problem.plan.structure, problem.hints(), true);
   EXPECT_EQ(schur.reduced_structure().blocks(), 0u);
   EXPECT_EQ(schur.eliminate(problem.linearizer.values(), {}).status, LinearStatus::kOk);
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(60, 1, 3);
@@ -392,7 +401,7 @@ TEST(Schur, IsEmptyIfAllVerticesAreEliminated) {
 TEST(Schur, IsTheHessianIfNoVertexIsEliminated) {
   Problem problem(make_bundle(3, 5, false), 0, false);
   ASSERT_EQ(problem.plan.eliminated_blocks, 0u);
-  Schur schur(problem.plan.structure, 0, true);
+  Schur schur(problem.plan.structure, {.eliminated_blocks = 0}, true);
   ASSERT_EQ(schur.eliminate(problem.linearizer.values(), {}).status, LinearStatus::kOk);
   EXPECT_EQ(dense_matrix(schur.reduced_structure(), schur.reduced_values()), problem.hessian);
 }
