@@ -130,7 +130,7 @@ struct LaneProducts {
   /// The products of column b of vertex j with the columns of the vertices i ≥ j. `weighted` is Ω times that
   /// column.
   template <int j>
-  void multiply_column(const double* jacobian, int b, const Pack (&weighted)[R]) {
+  [[gnu::always_inline]] void multiply_column(const double* jacobian, int b, const Pack (&weighted)[R]) {
     const auto product = [&](int a) {
       Pack sum{};
 #pragma GCC unroll 6
