@@ -268,8 +268,9 @@ class BlockSolverEngine::State::Places final : public HessianPlaces {
 /// since H was laid out.
 bool BlockSolverEngine::State::can_linearize(EdgeBatches& batches) {
   if (batches.empty()) return false;
-  const auto is_fixed = [](const OptimizableGraph::Vertex* v) { return v->fixed(); };
-  if (std::any_of(vertices.begin(), vertices.end(), is_fixed)) return false;
+  bool any_fixed = false;
+  for_each_ahead(vertices, [&](const OptimizableGraph::Vertex& v) { any_fixed = any_fixed || v.fixed(); });
+  if (any_fixed) return false;
   if (values().size() < structure.nonzero_values() + batches.extra_values()) return false;
   gradient.resize(structure.scalars() + batches.extra_scalars());
   return batches.stamp() == stamp || batches.lay_out(Places(*this), stamp);
@@ -282,20 +283,18 @@ void BlockSolverEngine::State::linearize(SparseOptimizer& optimizer) {
   const bool in_batches = can_linearize(parts.batches());
   if (in_batches) {
     parts.batches().clear(values().data(), gradient.data());
-  } else {
-    std::fill(values().begin(), values().end(), 0.0);
-  }
-  for_each_ahead(vertices, [](OptimizableGraph::Vertex& v) { v.clearQuadraticForm(); });
-  if (in_batches) {
     if (parts.linearize_batches(values().data(), gradient.data(), with_errors))
       optimizer.lost_vertices_ = true;
     const double* from = gradient.data();
     for_each_ahead(vertices, [&](OptimizableGraph::Vertex& v) {
+      v.clearQuadraticForm();
       double* to = v.bData();
       for (const double* end = from + v.dimension(); from != end; ++from, ++to) *to -= *from;
     });
-  } else if (with_errors && parts.compute_errors_of_batches()) {
-    optimizer.lost_vertices_ = true;
+  } else {
+    std::fill(values().begin(), values().end(), 0.0);
+    for_each_ahead(vertices, [](OptimizableGraph::Vertex& v) { v.clearQuadraticForm(); });
+    if (with_errors && parts.compute_errors_of_batches()) optimizer.lost_vertices_ = true;
   }
   const auto add = [](OptimizableGraph::Edge& edge, JacobianWorkspace& workspace) {
     if (!internal::is_complete(edge)) return;
