@@ -89,9 +89,8 @@ struct [[nodiscard]] OutlierReport {
 ///
 /// Suspects::kAll, for graphs of all kinds. Σ min(e², c²) is minimized instead of Σ e² = Σ eᵀΩe, where c² is
 /// the limit of OutlierOptions::false_alarm for the rows of the edge, times the scale of the noise if this
-/// exceeds one. The scale of the noise is the median of e² of the accepted edges, relative to the median that
-/// Ω predicts, and divided by the share of the rows that are redundant. If that ratio of medians is below
-/// 1/250, c² becomes smaller at the end: 250 times the ratio. The sum is minimized through a
+/// exceeds one. The scale of the noise is such that half of the accepted edges are below their median. If it
+/// is below 1/250, c² becomes smaller at the end: 250 times that scale. The sum is minimized through a
 /// sequence of functions, of which the first one grows like |e| and the last one is min(e², c²) (graduated
 /// non-convexity: Yang et al., RA-L 2020). The starts are the result of the search for false loop closures,
 /// if there is odometry, and Options::start; the result counts in which the accepted edges are most likely.

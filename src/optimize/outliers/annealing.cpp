@@ -99,10 +99,8 @@ void Annealing::restore() {
 }
 
 /// Evaluates the edges. The median of those that have a weight shows the scale of the noise, as long as fewer
-/// than half of them are false. The optimum fits a part of the noise: Σ e² of true edges is as large as Ω
-/// says for the redundant rows only.
+/// than half of them are false.
 void Annealing::measure() {
-  constexpr double kLeastShare = 0.05;
   std::vector<double> ratios;
   for (std::size_t k = 0; k < state_.edges.size(); ++k) {
     Edge& edge = state_.edges[k];
@@ -113,12 +111,8 @@ void Annealing::measure() {
   if (ratios.empty()) return;
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
-  state_.median_ratio = *middle;
-  const Rows used = rows([this](std::size_t k) { return state_.edges[k].accepted && state_.weights[k] > 0; });
-  state_.noise_scale = state_.median_ratio / std::max(kLeastShare, used.redundant / used.accepted);
-  state_.limit_scale = scale_ == LimitScale::kOne      ? 1
-                       : scale_ == LimitScale::kMedian ? std::max(1.0, state_.median_ratio)
-                                                       : std::max(1.0, state_.noise_scale);
+  state_.noise_scale = *middle;
+  state_.limit_scale = trusts_omega_ ? 1 : std::max(1.0, state_.noise_scale);
 }
 
 double Annealing::largest_ratio() const {
@@ -189,21 +183,16 @@ void Annealing::tighten_limits() {
   constexpr double kMargin = 250, kLeastRedundancy = 0.05;
   const Rows rows = this->rows();
   if (rows.redundant > kLeastRedundancy * rows.accepted)
-    state_.limit_scale = std::min(state_.limit_scale, kMargin * state_.median_ratio);
+    state_.limit_scale = std::min(state_.limit_scale, kMargin * state_.noise_scale);
 }
 
-/// As long as the limits grow noticeably, a pass may accept more edges, which may show more noise.
 void Annealing::settle() {
-  constexpr int kMostPasses = 10, kMostAdditions = 5, kMostGrowths = 30;
-  constexpr double kGrowth = 1.02;
+  constexpr int kMostPasses = 10, kMostAdditions = 5;
   restore();
   state_.weights.assign(state_.edges.size(), 1);
   std::vector<std::uint8_t> fits(state_.edges.size());
-  double last_scale = state_.limit_scale;
-  for (int pass = 0, growths = 0; pass < kMostPasses && !was_stopped(); ++pass) {
+  for (int pass = 0; pass < kMostPasses && !was_stopped(); ++pass) {
     tighten_limits();
-    if (state_.limit_scale > kGrowth * last_scale && growths++ < kMostGrowths) pass = std::min(pass, 1);
-    last_scale = state_.limit_scale;
     std::transform(state_.edges.begin(), state_.edges.end(), fits.begin(),
                    [&](const Edge& edge) { return edge.chi2 <= limit(edge) ? 1 : 0; });
     if (pass < kMostAdditions) hold_lost_vertices(fits);
@@ -229,29 +218,14 @@ void Annealing::go_to(const std::function<void()>& start) {
   start();
 }
 
-/// Limits that are too small for the noise reject true edges for good. So if the noise exceeds Ω, begins
-/// again with limits of the scale of the noise. Limits that are too large may keep false edges of a start
-/// that is not near, so other starts only end with these limits.
 void Annealing::minimize_from(const std::function<void()>& start, Begin begin) {
-  constexpr double kMuchNoise = 1.5;
-  if (best_ && was_stopped()) return;
-  scale_ = begin == Begin::kTrustingOmega ? LimitScale::kOne : LimitScale::kMedian;
-  minimize(start, begin);
-  if (begin == Begin::kNear && state_.noise_scale > kMuchNoise && !was_stopped()) {
-    scale_ = LimitScale::kNoise;
-    minimize(start, begin);
-  }
-  keep_if_better();
-}
-
-/// Begins with limits of the chosen scale. At the end, the limits have the scale of the noise.
-void Annealing::minimize(const std::function<void()>& start, Begin begin) {
   constexpr double kConvex = 1e-9, kNear = 0.1;
+  if (best_ && was_stopped()) return;
+  trusts_omega_ = begin == Begin::kTrustingOmega;
   go_to(start);
   anneal(begin == Begin::kNear ? kNear : kConvex);
-  scale_ = LimitScale::kNoise;
-  measure();
   settle();
+  keep_if_better();
 }
 
 bool Annealing::is_doubtful() const {
@@ -283,16 +257,12 @@ double Annealing::rejected_share(std::span<const EdgeRef> edges) const {
 }
 
 Annealing::Rows Annealing::rows() const {
-  return rows([this](std::size_t k) { return state_.edges[k].accepted; });
-}
-
-Annealing::Rows Annealing::rows(const std::function<bool(std::size_t)>& is_accepted) const {
   Rows rows;
-  for (std::size_t k = 0; k < state_.edges.size(); ++k)
-    (is_accepted(k) ? rows.accepted : rows.rejected) += state_.edges[k].rows;
+  for (const Edge& edge : state_.edges) (edge.accepted ? rows.accepted : rows.rejected) += edge.rows;
   rows.redundant = rows.accepted;
   for (const auto& [vertex, edges] : incident_) {
-    if (std::any_of(edges.begin(), edges.end(), is_accepted)) rows.redundant -= free_dim(vertex);
+    if (std::any_of(edges.begin(), edges.end(), [&](std::size_t k) { return state_.edges[k].accepted; }))
+      rows.redundant -= free_dim(vertex);
   }
   return rows;
 }

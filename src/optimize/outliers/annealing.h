@@ -67,15 +67,12 @@ class Annealing {
     std::shared_ptr<const RobustKernel> kernel;  // of the caller
   };
 
-  /// What the limits are multiplied by, if it exceeds one.
-  enum class LimitScale : std::uint8_t { kOne, kMedian, kNoise };
   struct Rows {
     double accepted = 0, rejected = 0, redundant = 0;  ///< redundant: beyond the degrees of freedom
   };
   struct State {
     std::vector<Edge> edges;
     std::vector<double> weights;  // of the last surrogate
-    double median_ratio = 1;      // the median of e², relative to the medians that Ω predicts
     double noise_scale = 1, limit_scale = 1;
   };
 
@@ -85,11 +82,9 @@ class Annealing {
   void go_to(const std::function<void()>& start);
   void anneal(double mu);
   void settle();
-  void minimize(const std::function<void()>& start, Begin begin);
   void keep_if_better();
   void tighten_limits();
   Rows rows() const;
-  Rows rows(const std::function<bool(std::size_t)>& is_accepted) const;
   double cost() const;
   int free_dim(const VertexRef& vertex) const;
   double change_weights(double mu);
@@ -104,7 +99,7 @@ class Annealing {
   const OutlierOptions& options_;
   std::optional<Optimizer> optimizer_;
   const Stopwatch watch_;
-  LimitScale scale_ = LimitScale::kMedian;
+  bool trusts_omega_ = false;
   State state_;
   std::optional<State> best_;
   double best_cost_ = 0;
