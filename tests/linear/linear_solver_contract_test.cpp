@@ -72,8 +72,7 @@ const Bundle& bundle_for(Elimination elimination) {
 }
 
 /// The parameters are the solver and the number of threads.
-class LinearSolverContract : public ::testing::TestWithParam<std::tuple<Candidate, int>> {
- protected:
+struct LinearSolverContract : ::testing::TestWithParam<std::tuple<Candidate, int>> {
   static const Candidate& candidate() { return std::get<0>(GetParam()); }
   static bool is_iterative() {
     return candidate().solver.method == detail::LinearSolverEntry::Method::kIterative;

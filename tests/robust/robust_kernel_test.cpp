@@ -22,10 +22,10 @@ namespace {
 /// there is no example of it here.
 std::string name_of(const detail::KernelEntry& kernel) {
   if (!kernel.takes_parameter()) return std::string(kernel.name);
-  static const std::map<std::string_view, std::string> kExamples = {{"Barron:ALPHA", "Barron:-1.5"}};
-  const auto example = kExamples.find(kernel.name);
-  if (example != kExamples.end()) return example->second;
-  ADD_FAILURE() << "add an example of " << kernel.name << " to kExamples";
+  static const std::map<std::string_view, std::string> examples = {{"Barron:ALPHA", "Barron:-1.5"}};
+  const auto example = examples.find(kernel.name);
+  if (example != examples.end()) return example->second;
+  ADD_FAILURE() << "add an example of " << kernel.name << " to examples";
   return "Huber";
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "g2o/types/edge_checks.h"
 #include "g2o/types/edge_pointxyz.h"
 #include "g2o/types/slam3d/isometry3d_gradients.h"
@@ -133,19 +135,20 @@ TEST(Slam3d, DerivedEdgesCanReadTheCachesOfTheirBaseClasses) {
   ASSERT_TRUE(optimizer.load(in));
   for (g2o::HyperGraph::Edge* loaded : g2o::HyperGraph::EdgeSet(optimizer.edges())) {
     auto* e = static_cast<g2o::OptimizableGraph::Edge*>(loaded);
-    g2o::OptimizableGraph::Edge* derived = nullptr;
+    std::unique_ptr<g2o::OptimizableGraph::Edge> owned;
     if (e->vertices().size() == 1) {
-      derived = new PriorThroughCache;
+      owned = std::make_unique<PriorThroughCache>();
     } else {
-      derived = new OffsetThroughCaches;
+      owned = std::make_unique<OffsetThroughCaches>();
     }
+    g2o::OptimizableGraph::Edge* const derived = owned.get();
     double z[7];
     ASSERT_TRUE(e->getMeasurementData(z) && derived->setMeasurementData(z));
     for (size_t i = 0; i < e->vertices().size(); ++i) {
       derived->setVertex(i, e->vertex(i));
       ASSERT_TRUE(derived->setParameterId(static_cast<int>(i), 0));
     }
-    ASSERT_TRUE(optimizer.addEdge(derived));
+    ASSERT_TRUE(optimizer.addEdge(owned.release()));
     for (int i = 0; i < 2; ++i) {
       e->computeError();
       derived->computeError();
