@@ -201,8 +201,8 @@ void compare_all_forms(const std::string& programs, const std::filesystem::path&
       "MiB is the peak memory of a process that adds the elements and runs these iterations.\n"
       "The columns × are divided by the first row. For all forms, vertices and edges are added by a "
       "program.\n"
-      "Principal points are fixed, and pixels are moved to where a camera of the model sees them. The\n"
-      "street is simulated, with 300 cameras and 60,000 points.\n");
+      "Principal points are fixed. A camera of the model sees its pixels in the same directions as BAL's\n"
+      "camera. The street is simulated, with 300 cameras and 60,000 points.\n");
   for (const BundleFile& file : kFiles) {
     const std::filesystem::path path = folder / "bal" / file.name;
     if (std::filesystem::exists(path)) compare_forms(file.name, programs, path);

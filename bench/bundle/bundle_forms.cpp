@@ -119,7 +119,7 @@ Vector3 direction_of(double x, double y, double f, double k1, double k2) {
 
 /// A vertex for the pose and one for the intrinsics of each camera, which camera_of(BAL's f, k1, k2) returns.
 /// BAL's cameras look along −z, and their y points up. So the cameras of COLMAP are turned around x. Their
-/// principal points are fixed. Observations are moved to where a camera of this model sees them.
+/// principal points are fixed. A camera sees its pixels in the same directions as BAL's camera.
 template <class CameraOf>
 Graph with_colmap_cameras(const BundleProblem& problem, CameraOf&& camera_of) {
   using Camera = decltype(camera_of(1.0, 0.0, 0.0));

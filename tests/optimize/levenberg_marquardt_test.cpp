@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <span>
 #include <type_traits>
 
 #include "boxplus/optimize/optimizer.h"
@@ -92,7 +94,9 @@ TEST_F(DampingTest, IsLoweredToAThirdAfterGoodSteps) {
 }
 
 TEST_F(DampingTest, IsLoweredToTwoThirdsAtMostAfterARejectedStep) {
-  expect_factors({0.7, 1}, true, by_nielsen(0.7));
+  expect_factors({0.7}, true, by_nielsen(0.7));
+  expect_factors({1}, true, 2.0 / 3);
+  expect_factors({1}, false, 1.0 / 3);
 }
 
 TEST_F(DampingTest, IsLoweredMoreSlowlyForTwiceAsLongAfterEachVainAttempt) {

@@ -23,7 +23,7 @@ struct LinearizeOptions {
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for
   /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J. The curvature along e is at least 1e-4 of that of ρ′Ω. There
-  /// is no such term where ρ is concave along e, or ρ″ is not finite.
+  /// is no such term if ρ is concave along e, or if ρ″ is not finite.
   bool triggs_correction = false;
 };
 
