@@ -247,7 +247,7 @@ std::string describe(const Problem& problem) {
 }
 
 template <int N>
-void expect_optimum(const Problem& problem) {
+void expect_optimum(const Problem& problem, int& converged) {
   constexpr int kMostToEnumerate = 5;
   const bool enumerates =
       problem.is_linear && (problem.n <= kMostToEnumerate || std::getenv("BOXPLUS_PROBLEMS"));
@@ -257,8 +257,10 @@ void expect_optimum(const Problem& problem) {
     Solved<N> solved(problem);
     const Report report = optimize(solved.graph, {.algorithm = kind, .threads = 1});
     SCOPED_TRACE(testing::Message() << to_string(kind) << "\n" << report);
-    EXPECT_TRUE(report.converged() || (kind == AlgorithmKind::kGaussNewton && !problem.is_linear));
-    if (!report.converged()) continue;
+    // At a local minimum with a singular H, dogleg may find no step. Gauss-Newton may end anywhere.
+    EXPECT_TRUE(report.converged() || !problem.is_linear);
+    converged += report.converged();
+    if (!report.converged() && kind == AlgorithmKind::kGaussNewton) continue;
     Numbers x{};
     for (int i = 0; i < problem.n; ++i) {
       x[at(i)] = solved.value(i);
@@ -277,13 +279,15 @@ void expect_optimum(const Problem& problem) {
 TEST(Bounds, GiveTheOptimumOfRandomProblems) {
   const char* const wanted = std::getenv("BOXPLUS_PROBLEMS");
   const int problems = wanted != nullptr ? std::atoi(wanted) : 2000;
+  int converged = 0;
   for (int seed = 0; seed < problems; ++seed) {
     const Problem problem = random_problem(static_cast<std::uint64_t>(seed));
     SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << describe(problem));
     constexpr std::array kRun{expect_optimum<1>, expect_optimum<2>, expect_optimum<3>,
                               expect_optimum<4>, expect_optimum<5>, expect_optimum<6>};
-    kRun[at(problem.n - 1)](problem);
+    kRun[at(problem.n - 1)](problem, converged);
   }
+  EXPECT_GE(converged, 3 * problems - problems / 100);
 }
 
 }  // namespace
