@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bind.h"
+#include "boxplus/io/file_format.h"
 #include "boxplus/io/graph_file.h"
 #include "convert.h"
 
@@ -60,10 +61,15 @@ void bind_file(py::module_& module, GraphClass& graph) {
       .def(
           "save",
           [](const GraphObject& self, const std::filesystem::path& path, const std::string& format) {
+            for (const std::string& loss : losses(path.string(), self.file(), {.format = format})) {
+              const std::string text = path.string() + ": the format does not keep " + loss;
+              if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+            }
             write_graph(path.string(), self.file(), {.format = format});
           },
           py::arg("path"), py::kw_only(), py::arg("format") = "",
-          "Writes the graph, in the format of the extension unless `format` names one.")
+          "Writes the graph, in the format of the extension unless `format` names one. Warns "
+          "(RuntimeWarning) of what the format does not keep, such as bounds in .g2o.")
       .def(
           "to_text",
           [](const GraphObject& self, const std::string& format) {

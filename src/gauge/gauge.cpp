@@ -26,13 +26,19 @@ struct Component : GaugeComponent {
   std::vector<EdgeSlot> anchors;  // the edges with one moving vertex, or with a fixed vertex
   int most_anchor_rows = 0;       // the most rows of an edge with exactly one moving vertex
   bool only_rigid = true;         // whether all edges are of types that measure poses relative to each other
+  bool bounded = false;           // whether an entry of a vertex has bounds
 };
 
 class GaugeFinder {
  public:
   GaugeFinder(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
-              const StopToken& stop)
-      : graph_(graph), movable_(movable), ends_(graph, movable), policy_(policy), stop_(stop) {}
+              GaugeBounds bounds, const StopToken& stop)
+      : graph_(graph),
+        movable_(movable),
+        ends_(graph, movable),
+        policy_(policy),
+        bounds_(bounds),
+        stop_(stop) {}
 
   Gauge find(const std::vector<std::vector<std::uint32_t>>& active_edges) {
     for (Component& component : components(active_edges)) {
@@ -90,6 +96,13 @@ class GaugeFinder {
   void add_vertex(VertexSlot v, Component& component) const {
     component.vertices.push_back(v);
     if (!pool_of(v).fixed_directions(v.slot).empty()) component.anchored = true;
+    if (!pool_of(v).bounds(v.slot).empty()) component.bounded = true;
+  }
+
+  /// Whether to hold vertices or directions of a component. If a vertex has bounds, the world cannot move
+  /// freely, although this changes no error: the motions are damped, so that the vertices stay within theirs.
+  bool holds(const Component& component) const {
+    return policy_ == GaugePolicy::kFixFirst && !(component.bounded && bounds_ == GaugeBounds::kApply);
   }
 
   void add_edge(EdgeSlot edge, int moving, Component& component) const {
@@ -153,8 +166,7 @@ class GaugeFinder {
   SimilarityFreedom freedom_of(const Component& component, int dimension) {
     SimilarityFreedom freedom = test_->find(dimension, SimilarityTest::Extent::kSample);
     if (freedom.directions() == 0) return freedom;
-    if (policy_ == GaugePolicy::kFixFirst &&
-        !holds_whole(component, gauge_vertex(component, freedom), freedom))
+    if (holds(component) && !holds_whole(component, gauge_vertex(component, freedom), freedom))
       return freedom;
     return test_->find(dimension, SimilarityTest::Extent::kAllEdges);
   }
@@ -168,7 +180,7 @@ class GaugeFinder {
     const detail::VertexPool& pool = pool_of(first);
     component.free = {all_rigid_motions(dimension)};
     component.moved = component.vertices;
-    if (policy_ == GaugePolicy::kFixFirst) {
+    if (holds(component)) {
       gauge_.held.push_back({reference(first), pool.id(first.slot)});
     } else {
       gauge_.freedoms.push_back(
@@ -183,7 +195,7 @@ class GaugeFinder {
     const VertexSlot first = gauge_vertex(component, freedom);
     const Id id = pool_of(first).id(first.slot);
     SimilarityFreedom left = freedom;  // the freedom that remains
-    if (policy_ == GaugePolicy::kFixFirst) {
+    if (holds(component)) {
       if (holds_whole(component, first, freedom)) {
         gauge_.held.push_back({reference(first), id});
         left.keep(kernel_of(freedom.of_vertex(graph_, first), kNoticeable * freedom.unit()));
@@ -251,6 +263,7 @@ class GaugeFinder {
   const std::vector<std::vector<std::uint8_t>>& movable_;
   EdgeEnds ends_;
   GaugePolicy policy_;
+  GaugeBounds bounds_;
   const StopToken& stop_;
   std::unique_ptr<SimilarityTest> test_;
   Gauge gauge_;
@@ -268,8 +281,8 @@ std::string_view detail::to_string(const detail::GaugeFreedom& freedom) {
 
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
                  const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
-                 const StopToken& stop) {
-  return GaugeFinder(graph, movable, policy, stop).find(active_edges);
+                 const StopToken& stop, GaugeBounds bounds) {
+  return GaugeFinder(graph, movable, policy, bounds, stop).find(active_edges);
 }
 
 }  // namespace boxplus

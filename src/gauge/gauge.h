@@ -37,6 +37,10 @@ struct Gauge {
   std::vector<VertexRef> loose;
 };
 
+/// Whether bounds of vertices (Graph::set_bounds()) matter for the gauge. If they do, nothing of a component
+/// with bounds is held, because the limits would then refer to what is held.
+enum class GaugeBounds : std::uint8_t { kApply, kIgnore };
+
 /// Finds the gauge freedom of every component of the active graph. `active_edges` lists the slots of each
 /// edge pool. `movable` has a flag for each slot of each vertex pool. If the types of all edges in a
 /// component only measure relative poses or priors, it is usually enough to count the rows of its priors. For
@@ -44,6 +48,6 @@ struct Gauge {
 /// Throws Stopped when `stop` is raised.
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
                  const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
-                 const StopToken& stop);
+                 const StopToken& stop, GaugeBounds bounds = GaugeBounds::kApply);
 
 }  // namespace boxplus

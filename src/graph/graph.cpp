@@ -203,6 +203,7 @@ void Graph::set_bounds(VertexRef vertex, int entry, double lower, double upper) 
     complain("expected lower ≤ upper, with a finite number between them, got " + std::to_string(lower) +
              " and " + std::to_string(upper));
   const std::span<const detail::Bound> old = pool.bounds(vertex.slot);
+  const bool had_bounds = !old.empty();
   std::vector<detail::Bound> bounds;
   for (const detail::Bound& bound : old) {
     if (bound.entry != entry) bounds.push_back(bound);
@@ -211,7 +212,9 @@ void Graph::set_bounds(VertexRef vertex, int entry, double lower, double upper) 
     const auto after = [&](const detail::Bound& bound) { return bound.entry > entry; };
     bounds.insert(std::find_if(bounds.begin(), bounds.end(), after), {entry, lower, upper});
   }
+  const bool has_bounds = !bounds.empty();
   pool.bounds_.set(vertex.slot, std::move(bounds));
+  if (had_bounds != has_bounds) note_rewrite();  // the treatment of the gauge depends on it
 }
 
 std::span<const detail::Bound> Graph::bounds(VertexRef vertex) const {

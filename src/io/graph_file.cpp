@@ -8,6 +8,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
 #include "boxplus/io/write_file.h"
+#include "io/g2o/notes.h"
 #include "io/gzip.h"
 #include "io/text_file.h"
 
@@ -113,6 +114,16 @@ void write(const std::string& path, const GraphFileView& file, std::string_view 
   });
 }
 
+/// The number of vertices and parameters with bounds.
+std::int64_t count_bounded(const Graph& graph) {
+  std::int64_t count = 0;
+  for (const auto& pool : graph.vertex_pools()) {
+    for (std::uint32_t slot = 0; slot < pool->slots(); ++slot)
+      count += pool->alive(slot) && !pool->bounds(slot).empty();
+  }
+  return count;
+}
+
 GraphFileView view_of(const GraphFile& file) {
   return {file.graph, file.edges, file.kept, file.model.get()};
 }
@@ -160,7 +171,11 @@ void require_writable(const std::string& path, const GraphFile& file, const Writ
 
 std::vector<std::string> losses(const std::string& path, const GraphFile& file, const WriteOptions& options) {
   const FileFormat& format = format_to_write(path, file.format, options);
-  return format.losses ? format.losses(view_of(file)) : std::vector<std::string>();
+  std::vector<std::string> result;
+  if (format.losses) result = format.losses(view_of(file));
+  const std::int64_t bounded = format.keeps_everything ? 0 : count_bounded(file.graph);
+  if (bounded > 0) result.push_back("the bounds of " + counted(bounded, "vertex", "vertices"));
+  return result;
 }
 
 std::string format_graph(const GraphFile& file, const WriteOptions& options) {

@@ -20,6 +20,9 @@ PlanRequest with_columns(PlanRequest request, const LinearSolver& solver, SchurM
   return request;
 }
 
+/// Entries that bounds hold get this multiple of their diagonal entries of H.
+constexpr double kOfBounds = 1e8;
+
 }  // namespace
 
 BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
@@ -75,7 +78,6 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
   control_ = {.relative_tolerance = forcing_term(options, *plan_), .stop = stop};
   order_.forget();
-  gauge_.begin_run();
   last_chi2_ = 0;
   is_precise_ = false;
   precise_.configure(linearize_options_, stop);
@@ -83,7 +85,9 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
   linearizer_.set_stop(stop);
   timings_ = &timings;
   diagonal_.begin_run();
+  move_within_bounds(*graph_, options.vertices);
   bounds_.read(*graph_, *plan_);
+  gauge_.begin_run(!bounds_.empty());
 }
 
 double BatchSystem::chi2() {
@@ -221,9 +225,8 @@ bool BatchSystem::is_uniform(const StepDamping& damping) const {
 /// Adds the diagonal entry of H for each held scalar, and much more for entries that bounds hold: these are
 /// no gauge freedom, so the others must not move because of them.
 void BatchSystem::hold_scalars(const StepDamping& damping) {
-  constexpr double kMuch = 1e8;
   gauge_.for_each_held(damping.lambda, [&](std::uint32_t i) { diagonal_.hold(i, 1); });
-  bounds_.for_each_held([&](std::uint32_t i) { diagonal_.hold(i, kMuch); });
+  bounds_.for_each_held([&](std::uint32_t i) { diagonal_.hold(i, kOfBounds); });
 }
 
 /// The diagonal matrix to add to H.
@@ -243,18 +246,46 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
   return result;
 }
 
+/// What is added to the diagonal entry of H of an entry that bounds hold.
+double BatchSystem::stiffness(std::uint32_t scalar) const {
+  return kOfBounds * std::max(diagonal()[scalar], diagonal_.floor());
+}
+
+/// Solves for the steps of the others while blocked entries go to their limits.
+StepResult BatchSystem::solve_with_blocked(const StepDamping& damping, std::span<double> step) {
+  bounds_.for_each_blocked([&](std::uint32_t i, double distance) {
+    right_hand_side_[i] = stiffness(i) * distance - gradient_[i];
+  });
+  const StepResult result = solve_without_gauge(damping, step);
+  bounds_.for_each_blocked([&](std::uint32_t i, double) { right_hand_side_[i] = -gradient_[i]; });
+  return result;
+}
+
 /// Solves. If limits block the step, solves again without the entries that do so.
 StepResult BatchSystem::solve_within_bounds(const StepDamping& damping, std::span<double> step) {
   constexpr int kRounds = 50;
-  bounds_.forget_blocked();
-  StepResult result = solve_without_gauge(damping, step);
+  changes_bounds_ = false;
+  if (bounds_.empty()) return solve_without_gauge(damping, step);
+  bounds_.begin_step([&](std::uint32_t i) {
+    const bool is_uniform = damping.scale == Options::DampingScale::kIdentity;
+    return diagonal()[i] + damping.lambda * (is_uniform ? 1 : diagonal_.scale()[i]);
+  });
+  StepResult result = solve_with_blocked(damping, step);
   for (int round = 0; round < kRounds; ++round) {
-    if (result.status != LinearStatus::kOk || !bounds_.find_blocked(step)) break;
-    result = solve_without_gauge(damping, step);
+    if (result.status != LinearStatus::kOk || !bounds_.revise(step)) break;
+    result = solve_with_blocked(damping, step);
   }
-  if (result.status != LinearStatus::kOk || bounds_.empty()) return result;
+  if (result.status != LinearStatus::kOk) return result;
   const auto decrease = [&](std::span<const double> d) { return model_decrease(gradient_, d, curvature(d)); };
-  if (bounds_.keep_within(step, decrease)) result.exact = false;
+  const bool changes = bounds_.keep_within(step, decrease);
+  if (changes && !(decrease(step) > 0) && bounds_.stop_blocked()) {
+    result = solve_with_blocked(damping, step);
+    if (result.status != LinearStatus::kOk) return result;
+    bounds_.keep_within(step, decrease);
+  }
+  if (changes) result.exact = false;
+  changes_bounds_ = changes || bounds_.frees_active([&](std::uint32_t i) { return stiffness(i); }, diagonal(),
+                                                    kRounding * model_chi2_);
   return result;
 }
 
@@ -275,7 +306,7 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
   if (is_precise_ || (is_lost && precise_.is_stiff() && precise_.affordable_steps() > 0))
     result = solve_precisely(damping, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
-  bounds_.for_each_held([&](std::uint32_t i) { step[i] = 0; });
+  bounds_.hold(step);
   return result;
 }
 
@@ -363,7 +394,7 @@ double BatchSystem::try_step(std::span<const double> step) {
   try {
     for (const VertexList& list : plan_->vertices)
       graph_->vertex_pools()[list.pool]->oplus(list.slots, list.offsets, step.data());
-    bounds_.snap(*graph_);
+    bounds_.arrive(*graph_, step);
     trial_ = {chi2(), max_abs(step)};
     return trial_.chi2;
   } catch (...) {

@@ -51,6 +51,9 @@ class BatchSystem final : public System {
   /// The largest entry of the last step of try_step(), in standard deviations: max √Hᵢᵢ |δᵢ|. An entry's
   /// standard deviation is the one that it has if all other unknowns are known.
   double step_in_deviations() const { return step_in_deviations_; }
+  /// Whether bounds shorten the last step of solve(), the step takes an entry to a limit, or it makes the
+  /// gradient of an active entry point away from its limit. Then the next step may decrease chi2 much more.
+  bool changes_bounds() const { return changes_bounds_; }
   void accept() override;
   void reject() override;
   bool stopped() const override { return stopped_; }
@@ -114,6 +117,8 @@ class BatchSystem final : public System {
   bool is_uniform(const StepDamping& damping) const;
   void hold_scalars(const StepDamping& damping);
   Damping full_damping(const StepDamping& damping);
+  double stiffness(std::uint32_t scalar) const;
+  StepResult solve_with_blocked(const StepDamping& damping, std::span<double> step);
   StepResult solve_within_bounds(const StepDamping& damping, std::span<double> step);
   StepResult solve_without_gauge(const StepDamping& damping, std::span<double> step);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
@@ -154,6 +159,7 @@ class BatchSystem final : public System {
   bool is_precise_ = false;
   bool stopped_ = false;      // of stopped()
   bool is_complete_ = false;  // whether the last linearization was not stopped
+  bool changes_bounds_ = false;
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;

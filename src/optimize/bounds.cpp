@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boxplus {
 namespace {
@@ -12,7 +13,33 @@ bool is_at_limit(const detail::Bound& bound, double value, double direction) {
   return direction < 0 ? value <= bound.lower : direction > 0 && value >= bound.upper;
 }
 
+/// A step that is at most this fraction of what the model asks for has ended almost at once.
+constexpr double kAlmostAtOnce = 1e-2;
+
+void move_within(const detail::VertexPool& pool, std::uint32_t slot, double& value,
+                 const detail::Bound& bound) {
+  const std::span<const int> fixed = pool.fixed_directions(slot);
+  if (std::isnan(value) || std::ranges::find(fixed, bound.entry) != fixed.end()) return;
+  value = std::clamp(value, bound.lower, bound.upper);
+}
+
 }  // namespace
+
+void move_within_bounds(const Graph& graph, std::span<const VertexRef> vertices) {
+  const auto move = [](detail::VertexPool& pool, std::uint32_t slot) {
+    if (pool.fixed(slot)) return;
+    for (const detail::Bound& bound : pool.bounds(slot))
+      move_within(pool, slot, *pool.entry(slot, bound.entry), bound);
+  };
+  for (const VertexRef& vertex : vertices) move(*graph.vertex_pools()[vertex.pool], vertex.slot);
+  if (!vertices.empty()) return;
+  for (const auto& pool : graph.vertex_pools()) {
+    if (!pool->has_bounds()) continue;
+    for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
+      if (pool->alive(slot)) move(*pool, slot);
+    }
+  }
+}
 
 void Bounds::read(const Graph& graph, const Plan& plan) {
   items_.clear();
@@ -29,7 +56,6 @@ void Bounds::read(const Graph& graph, const Plan& plan) {
       }
     }
   }
-  snap(graph);
   scratch_.resize(empty() ? 0 : plan.scalars());
 }
 
@@ -40,23 +66,77 @@ void Bounds::find_active(const Graph& graph, std::span<double> gradient, std::sp
     item.gradient = gradient[item.scalar];
     const bool is_active = is_at_limit(item.bound, item.value, -item.gradient);
     item.state = is_active ? State::kActive : State::kFree;
+    item.distance = 0;
     if (is_active) gradient[item.scalar] = right_hand_side[item.scalar] = 0;
     held_ += is_active;
   }
 }
 
+void Bounds::block(Item& item, double step) {
+  item.state = State::kBlocked;
+  item.distance = clipped_entry(item, step);
+  item.outward = step;
+  ++held_;
+}
+
+void Bounds::begin_step(detail::FunctionRef<double(std::uint32_t)> curvature) {
+  forget_blocked();
+  for (Item& item : items_) {
+    item.releases = 0;
+    if (item.state != State::kFree) continue;
+    const double own = -item.gradient / curvature(item.scalar), possible = clipped_entry(item, own);
+    if (possible != own && std::abs(possible) <= kAlmostAtOnce * std::abs(own)) block(item, own);
+  }
+}
+
+void Bounds::hold(std::span<double> step) {
+  for (Item& item : items_) {
+    if (item.state != State::kFree) item.pull = std::exchange(step[item.scalar], 0.0) - item.distance;
+  }
+}
+
+bool Bounds::revise(std::span<const double> step) {
+  return find_blocked(step) || release_pulled();
+}
+
 bool Bounds::find_blocked(std::span<const double> step) {
-  constexpr double kAlmostAtOnce = 1e-2;
   const std::size_t before = held_;
   for (Item& item : items_) {
     if (item.state != State::kFree) continue;
     const double whole = step[item.scalar], possible = clipped_entry(item, whole);
-    if (possible == whole || std::abs(possible) > kAlmostAtOnce * std::abs(whole)) continue;
-    item.state = State::kBlocked;
-    item.distance = possible;
-    ++held_;
+    if (possible != whole && std::abs(possible) <= kAlmostAtOnce * std::abs(whole)) block(item, whole);
   }
   return held_ > before;
+}
+
+bool Bounds::release_pulled() {
+  constexpr int kMostReleases = 3;  // so that the rounds end
+  const std::size_t before = held_;
+  for (Item& item : items_) {
+    if (item.state != State::kBlocked || !(item.pull * item.outward < 0) || item.releases == kMostReleases)
+      continue;
+    item.state = State::kFree;
+    ++item.releases;
+    --held_;
+  }
+  return held_ < before;
+}
+
+bool Bounds::stop_blocked() {
+  bool moved = false;
+  for (Item& item : items_) {
+    if (item.state == State::kBlocked) moved |= std::exchange(item.distance, 0.0) != 0;
+  }
+  return moved;
+}
+
+bool Bounds::frees_active(detail::FunctionRef<double(std::uint32_t)> stiffness,
+                          std::span<const double> diagonal, double decrease) const {
+  return std::ranges::any_of(items_, [&](const Item& item) {
+    if (item.state != State::kActive) return false;
+    const double gradient = item.gradient - stiffness(item.scalar) * item.pull;
+    return gradient * item.gradient < 0 && gradient * gradient > decrease * diagonal[item.scalar];
+  });
 }
 
 void Bounds::forget_blocked() {
@@ -112,20 +192,25 @@ std::span<const double> Bounds::clipped(std::span<const double> step) {
 
 bool Bounds::keep_within(std::span<double> step,
                          detail::FunctionRef<double(std::span<const double>)> decrease) {
-  const double fraction = longest_fraction(step);
   const bool moves = move_blocked(step);
+  const double fraction = longest_fraction(step);
   if (fraction == 1) return moves;
   std::ranges::transform(step, scratch_.begin(), [&](double entry) { return fraction * entry; });
-  move_blocked(scratch_);
   clip(step);
   if (!(decrease(step) >= decrease(scratch_))) std::ranges::copy(scratch_, step.begin());
   return true;
 }
 
-void Bounds::snap(const Graph& graph) const {
+void Bounds::arrive(const Graph& graph, std::span<const double> step) const {
+  constexpr double kWhole = 1 - 1e-15;  // the product of a step and a fraction is rounded
   for (const Item& item : items_) {
-    double& value = *graph.vertex_pools()[item.pool]->entry(item.slot, item.bound.entry);
-    if (!std::isnan(value)) value = std::clamp(value, item.bound.lower, item.bound.upper);
+    detail::VertexPool& pool = *graph.vertex_pools()[item.pool];
+    double& value = *pool.entry(item.slot, item.bound.entry);
+    const double moved = step[item.scalar];
+    const double limit = moved < 0 ? item.bound.lower : item.bound.upper;
+    const bool arrives = moved != 0 && std::abs(moved) >= kWhole * std::abs(limit - item.value);
+    if (arrives) value = limit;
+    move_within(pool, item.slot, value, item.bound);
   }
 }
 

@@ -7,8 +7,28 @@
 
 #include "boxplus/base/error.h"
 #include "optimize/non_finite.h"
+#include "optimize/vector_math.h"
 
 namespace boxplus {
+namespace {
+
+/// The largest error with which a constraint holds, unless its rounding errors are larger.
+constexpr double kTolerance = 1e-9;
+
+/// The magnitude of what a direction of the tangent changes: of a number, of a position, or 1.
+double magnitude(detail::VertexPool& pool, std::uint32_t slot, int direction) {
+  if (const double* entry = pool.entry(slot, direction)) return std::abs(*entry);
+  detail::Frame frame;
+  return std::max(1.0, pool.get_frame(slot, frame) ? max_abs(frame.translation) : 1.0);
+}
+
+}  // namespace
+
+bool Constraints::exist_in(const Graph& graph) {
+  return std::ranges::any_of(graph.all_edges(), [&](const EdgeRef& edge) {
+    return graph.edge_pools()[edge.pool]->shift(edge.slot) != nullptr;
+  });
+}
 
 Constraints::Constraints(Graph& graph, const Plan& plan) : graph_(graph) {
   for (const EdgeList& list : plan.edges) {
@@ -31,26 +51,46 @@ Constraints::~Constraints() {
 }
 
 void Constraints::begin(double chi2) {
-  constexpr double kBalance = 10, kLeast = 1, kMost = 1e6, kTolerance = 1e-9;
+  constexpr double kBalance = 10, kLeast = 1, kMost = 1e6;
   double penalty = 0;
   for (const Item& item : items_) penalty += graph_.chi2(item.edge);
   measure();
-  tolerance_ = kTolerance * std::max(1.0, violation_);
   const double balanced = kBalance * (chi2 - penalty) / penalty;
   set_weight(std::isfinite(balanced) ? std::clamp(balanced, kLeast, kMost) : kBalance);
 }
 
+/// The error with which each row of a constraint holds. The rounding of the estimates alone changes an error
+/// e(x) by up to ε Σ |∂e/∂x| |x|.
+Eigen::VectorXd Constraints::tolerances(const EdgeRef& edge) const {
+  constexpr double kRoundings = 4 * std::numeric_limits<double>::epsilon();
+  const std::vector<Eigen::MatrixXd> jacobians = graph_.jacobian(edge);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(jacobians.front().rows());
+  std::size_t k = 0;
+  for (const VertexRef& vertex : graph_.vertices(edge)) {
+    detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    const Eigen::MatrixXd& J = jacobians[k++];
+    for (int i = 0; i < J.cols(); ++i) sum += J.col(i).cwiseAbs() * magnitude(pool, vertex.slot, i);
+  }
+  return (kRoundings * sum).cwiseMax(kTolerance);
+}
+
 /// Sets the violation, and the multipliers for which the last run was at a minimum.
 void Constraints::measure() {
-  violation_ = 0;
+  violation_ = excess_ = 0;
+  const auto raise = [](double& largest, double value) {
+    if (!(value <= largest)) largest = value;  // also if it is NaN
+  };
   for (Item& item : items_) {
     const std::vector<double> values = graph_.error(item.edge);
     const auto shifted = Eigen::VectorXd::Map(values.data(), std::ssize(values));
     item.multipliers = 2 * weight_ * item.information * shifted;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double error = std::abs(item.shift->empty() ? values[i] : values[i] - (*item.shift)[i]);
-      if (!(error <= violation_)) violation_ = error;  // also if it is NaN
-    }
+    Eigen::VectorXd errors = shifted;
+    if (!item.shift->empty()) errors -= Eigen::VectorXd::Map(item.shift->data(), std::ssize(values));
+    const double largest = values.empty() ? 0 : errors.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    raise(violation_, largest);
+    const bool needs_jacobian = largest > kTolerance && std::isfinite(largest);
+    if (needs_jacobian) errors = errors.cwiseQuotient(tolerances(item.edge));
+    raise(excess_, needs_jacobian ? errors.cwiseAbs().maxCoeff() : largest / kTolerance);
   }
 }
 
@@ -64,7 +104,7 @@ bool Constraints::improve() {
   constexpr double kFast = 0.1, kGrowth = 10, kLargestWeight = 1e12, kExact = 1e-4;
   ++rounds_;
   measure();
-  if (violation_ <= kExact * tolerance_ || !std::isfinite(violation_) || rounds_ == kMostRounds) return false;
+  if (excess_ <= kExact || !std::isfinite(violation_) || rounds_ == kMostRounds) return false;
   in_vain_ = violation_ < best_ / 2 ? 0 : in_vain_ + 1;
   if (in_vain_ == (hold() ? 1 : kMostInVain)) return false;
   const bool grows = !(violation_ <= kFast * best_) && weight_ < kLargestWeight;

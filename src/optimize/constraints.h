@@ -29,10 +29,13 @@ class Constraints {
   void begin(double chi2);
   /// Prepares the next run. Returns false if there is none, because the errors get no smaller.
   bool improve();
-  /// Whether all constraints hold.
-  bool hold() const { return violation_ <= tolerance_; }
+  /// Whether all constraints hold: the errors are at most 1e-9, or rounding errors of the estimates.
+  bool hold() const { return excess_ <= 1; }
   /// Sets the results of the last run.
   void report(Report& report) const;
+
+  /// Whether a graph has constraints, active or not.
+  static bool exist_in(const Graph& graph);
 
  private:
   struct Item {
@@ -43,11 +46,13 @@ class Constraints {
   };
 
   void measure();
+  Eigen::VectorXd tolerances(const EdgeRef& edge) const;
   void set_weight(double weight);
 
   Graph& graph_;
   std::vector<Item> items_;
-  double weight_ = 1, violation_ = 0, tolerance_ = 0;
+  double weight_ = 1, violation_ = 0;
+  double excess_ = 0;  // the largest error, as a multiple of its tolerance
   double best_ = std::numeric_limits<double>::infinity();  // the smallest violation
   int rounds_ = 0, in_vain_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "optimize/planned_system.h"
+#include "plan/active_set.h"
 
 namespace boxplus {
 namespace {
@@ -55,12 +56,13 @@ void CovarianceSystem::make_plan(const Graph& graph, const Options& options, con
     planned_options_ = options;
     planned_options_.callback = {};
     revision_ = graph.revision();
-    own_plan_ = std::make_unique<Plan>(boxplus::make_plan(graph, {.level = options.level,
-                                                                  .vertices = options.vertices,
-                                                                  .edges = options.edges,
-                                                                  .gauge = options.gauge,
-                                                                  .threads = resolved_threads(options),
-                                                                  .stop = stop_}));
+    const PlanRequest request{.level = options.level,
+                              .vertices = options.vertices,
+                              .edges = options.edges,
+                              .gauge = options.gauge,
+                              .threads = resolved_threads(options),
+                              .stop = stop_};
+    own_plan_ = std::make_unique<Plan>(boxplus::make_plan(graph, request, GaugeBounds::kIgnore));
     plan_ = own_plan_.get();
   }
   list_blocks();

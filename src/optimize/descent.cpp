@@ -141,9 +141,11 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     const double variance = std::min(before, chi2) / std::max(1.0, degrees_of_freedom_);
     const double step = system_.step_in_deviations() / std::sqrt(variance);
     const bool goes_on = call_back(record) && wanted(record);
-    if (const auto reason = convergence(options_, record, before, step, unknowns, cut_short))
+    const bool changes_bounds = system_.changes_bounds();
+    if (const auto reason =
+            convergence(options_, record, before, step, unknowns, cut_short || changes_bounds))
       return {Report::Status::kConverged, *reason, chi2, iteration + 1};
-    if (significance.is_lost(record))
+    if (significance.is_lost(record) && !changes_bounds)
       return {Report::Status::kConverged, Report::Reason::kCostTolerance, chi2, iteration + 1};
     if (!goes_on) return {Report::Status::kNotConverged, Report::Reason::kCallback, chi2, iteration + 1};
   }

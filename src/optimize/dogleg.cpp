@@ -62,7 +62,9 @@ double Dogleg::curvature_of_newton(System& system) const {
   return -dot(system.gradient(), newton_) - regularization_ * damped * damped;
 }
 
-/// Computes the Cauchy step, which leads to the minimum of the model along −D⁻¹g.
+/// Computes the Cauchy step, which leads to the minimum of the model along −D⁻¹g. If bounds shorten some of
+/// its entries, shortens the rest to the minimum along the new direction. The bounds are convex, so the whole
+/// path is then within them.
 void Dogleg::find_cauchy_step(System& system) {
   const auto gradient = system.gradient();
   double slope = 0;
@@ -73,6 +75,11 @@ void Dogleg::find_cauchy_step(System& system) {
   const double curvature = system.curvature(cauchy_);
   const double length = curvature > 0 ? -slope / curvature : 1;
   for (double& v : cauchy_) v *= length;
+  if (system.clip(cauchy_)) {
+    const double clipped_slope = dot(gradient, cauchy_), clipped_curvature = system.curvature(cauchy_);
+    const double fraction = clipped_curvature > -clipped_slope ? -clipped_slope / clipped_curvature : 1;
+    for (double& v : cauchy_) v *= fraction;
+  }
   cauchy_norm_ = norm(cauchy_);
 }
 
@@ -100,12 +107,10 @@ void Dogleg::blend() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = cauchy_[i] + beta * (newton_[i] - cauchy_[i]);
 }
 
-/// Sets step_ to the longest dogleg step within the radius. Returns its predicted decrease, which may be
-/// negative if bounds shorten the step.
+/// Sets step_ to the longest dogleg step within the radius. Returns its predicted decrease.
 double Dogleg::find_step(System& system) {
   if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
   blend();
-  is_clipped_ = newton_norm_ > radius_ && system.clip(step_);
   const double curvature = newton_norm_ <= radius_ ? newton_curvature_ : system.curvature(step_);
   return model_decrease(system.gradient(), step_, curvature);
 }
@@ -113,7 +118,7 @@ double Dogleg::find_step(System& system) {
 /// Like find_step(), but grows the radius until the predicted decrease is larger than a rounding error.
 double Dogleg::find_first_step(System& system, double chi2) {
   double predicted = find_step(system);
-  while (newton_norm_ > radius_ && !is_clipped_ && predicted <= kNegligible * chi2) {
+  while (newton_norm_ > radius_ && predicted <= kNegligible * chi2) {
     radius_ =
         predicted > 0 ? std::min(newton_norm_, radius_ * (kNoticeable * chi2 / predicted)) : newton_norm_;
     predicted = find_step(system);
@@ -158,8 +163,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     if (stopped) return IterationOutcome::kStopped;
     record.chi2 = chi2;
     if (!cut_short && is_rough(system, step_, predicted, chi2)) return IterationOutcome::kNoFurtherDecrease;
-    // A smaller step would decrease chi2 even less, unless bounds have turned this one.
-    if (predicted <= kRounding * chi2 && !is_clipped_) break;
+    if (predicted <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
   }
   const double newton_decrease = model_decrease(system.gradient(), newton_, system.curvature(newton_));
   return outcome_without_decrease(system, newton_, newton_decrease, chi2);

@@ -36,7 +36,6 @@ class Dogleg final : public Algorithm {
   int regularized_steps_ = 0;
   bool newton_is_exact_ = false;
   double newton_norm_ = 0, newton_curvature_ = 0, cauchy_norm_ = 0;
-  bool is_clipped_ = false;  // whether bounds have shortened step_
   bool have_cauchy_ = false;
   std::vector<double> scale_, newton_, cauchy_, step_;
 };

@@ -7,15 +7,16 @@
 namespace boxplus {
 namespace {
 
-/// GaugePolicy::kDamp increases each diagonal entry by this fraction of itself. This is enough to lift pivots
-/// that are only rounding errors, but too little to change a step noticeably.
+/// GaugePolicy::kDamp, and bounds, increase each diagonal entry by this fraction of itself. This is enough to
+/// lift pivots that are only rounding errors, but too little to change a step noticeably.
 constexpr double kGaugeDamping = 1e-10;
 
 }  // namespace
 
 double GaugeRemoval::fraction() const {
   const bool is_free = !plan_->freedoms.empty() || !plan_->undetermined_blocks.empty();
-  return is_free && policy_ == GaugePolicy::kDamp ? kGaugeDamping : current_.damping;
+  const bool damps = policy_ == GaugePolicy::kDamp || (policy_ == GaugePolicy::kFixFirst && has_bounds_);
+  return is_free && damps ? kGaugeDamping : current_.damping;
 }
 
 bool GaugeRemoval::has_other_types() const {

@@ -19,7 +19,11 @@ class GaugeRemoval {
   GaugeRemoval(const Graph& graph, const Plan& plan, GaugePolicy policy)
       : graph_(&graph), plan_(&plan), policy_(policy) {}
 
-  void begin_run() { learned_.clear(); }
+  /// `has_bounds` says whether any vertex has bounds. Then the motions that the plan leaves free are damped.
+  void begin_run(bool has_bounds) {
+    learned_.clear();
+    has_bounds_ = has_bounds;
+  }
   void begin_linearization() { current_ = initial_ = learned_; }
   void begin_solve() { current_ = initial_; }
   void end_solve() {
@@ -59,6 +63,7 @@ class GaugeRemoval {
   const Graph* graph_;
   const Plan* plan_;
   GaugePolicy policy_;
+  bool has_bounds_ = false;
   GaugeTreatment learned_;  // in this run, for the next linearization
   GaugeTreatment initial_;  // of each solve after the last linearization
   GaugeTreatment current_;  // of the current solve

@@ -2,6 +2,7 @@
 #include "boxplus/optimize/optimizer.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -119,7 +120,7 @@ Graph& Optimizer::Impl::checked_graph() const {
 Algorithm& Optimizer::Impl::chosen_algorithm() {
   AlgorithmKind kind = options.algorithm;
   if (kind == AlgorithmKind::kAutomatic) {
-    // Points of dogleg's path may be outside of bounds.
+    // Bounds turn the path of dogleg, but not the steps of Levenberg-Marquardt, which are computed with them.
     const BatchSystem& system = planned.system();
     const bool damps = system.plan().eliminated_blocks > 0 || !system.bounds().empty();
     kind = damps ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
@@ -155,6 +156,8 @@ void Optimizer::Impl::run(Algorithm* custom, Report& report) {
     finish_report(report, *graph, planned.system(), result);
   } catch (const Stopped& stopped) {
     finish_report_without_plan(report, stopped);
+    if (Constraints::exist_in(*graph))
+      report.constraint_violation = std::numeric_limits<double>::quiet_NaN();  // not evaluated
   }
   if (needs_diagnosis(report)) {
     Options rest = options;
@@ -179,8 +182,7 @@ RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, 
   describe_problem(report, *graph, planned.system(), options);
   report.chi2_initial = report.start.chi2_current = planned.system().chi2();
   Constraints constraints(*graph, planned.system().plan());
-  if (constraints.empty() || planned.system().stopped())
-    return minimize(algorithm, options, report, stop, clock);
+  if (constraints.empty()) return minimize(algorithm, options, report, stop, clock);
   return minimize_with(constraints, algorithm, report, stop, clock);
 }
 

@@ -173,11 +173,15 @@ void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSe
 }  // namespace
 
 ActiveSet find_active_set(const Graph& graph, const PlanRequest& request) {
+  return find_active_set(graph, request, GaugeBounds::kApply);
+}
+
+ActiveSet find_active_set(const Graph& graph, const PlanRequest& request, GaugeBounds bounds) {
   ActiveSet active;
   Flags movable = movable_vertices(graph, request);
   active.edges = active_edges(graph, request, movable);
   std::vector<VertexRef> vertices = touched_vertices(graph, active, movable, request.stop);
-  active.gauge = find_gauge(graph, active.edges, movable, request.gauge, request.stop);
+  active.gauge = find_gauge(graph, active.edges, movable, request.gauge, request.stop, bounds);
   for (const detail::GaugeVertex& held : active.gauge.held) std::erase(vertices, held.vertex);
   number_blocks(graph, std::move(vertices), active, request.stop);
   return active;

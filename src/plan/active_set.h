@@ -24,7 +24,12 @@ struct ActiveSet {
   Gauge gauge;
 };
 
+/// Applies bounds to the gauge.
 ActiveSet find_active_set(const Graph& graph, const PlanRequest& request);
+ActiveSet find_active_set(const Graph& graph, const PlanRequest& request, GaugeBounds bounds);
+
+/// Like make_plan(graph, request), which applies bounds to the gauge.
+Plan make_plan(const Graph& graph, const PlanRequest& request, GaugeBounds bounds);
 
 /// Calls f(pool, edge, blocks) for each active edge. `blocks` are those of its vertices, as edge_blocks()
 /// lists them.

@@ -105,6 +105,7 @@ class Finder {
     if (!std::any_of(plan_.vertices.begin(), plan_.vertices.end(), has_list)) return false;
     if (pool.eliminated(vertex.slot) || pool.parameter(vertex.slot)) return false;
     if (!pool.fixed_directions(vertex.slot).empty()) return false;
+    if (!plan_.held.empty() && !pool.bounds(vertex.slot).empty()) return false;
     // A new plan would hold the first vertex of the largest dimension. This must still be the held vertex.
     return plan_.held.empty() ||
            (plan_.held[0].vertex.pool == vertex.pool

@@ -185,7 +185,11 @@ int tile_capacity(const detail::EdgeShape& shape) {
 }
 
 Plan make_plan(const Graph& graph, const PlanRequest& request) {
-  ActiveSet active = find_active_set(graph, request);
+  return make_plan(graph, request, GaugeBounds::kApply);
+}
+
+Plan make_plan(const Graph& graph, const PlanRequest& request, GaugeBounds bounds) {
+  ActiveSet active = find_active_set(graph, request, bounds);
   Plan plan;
   plan.block_vertex = active.block_vertex;
   plan.eliminated_blocks = active.eliminated_blocks;

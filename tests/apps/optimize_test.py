@@ -87,7 +87,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual((written["fields"][0], written["bounds"]), (1.5, [{"entry": 0, "upper": 1.5}]))
         lines = run("optimize", graph, "-o", self.path / "out.g2o")
         self.assertIn("vertex 3, entry 0, is at its upper limit 1.5", lines.stdout)
-        self.assertIn("1 vertices have bounds", lines.stderr)
+        self.assertIn("the format does not keep the bounds of 1 vertex", lines.stderr)
 
     def test_writes_only_the_json_report_to_stdout(self):
         done = run("optimize", TOWN, "--json", "-")

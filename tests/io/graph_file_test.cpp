@@ -31,6 +31,17 @@ TEST(GraphFile, IsWrittenAsG2oIfItsExtensionIsUnknownOrReadOnly) {
   }
 }
 
+TEST(GraphFile, LosesBoundsInEveryFormatButJson) {
+  GraphFile file = parse_graph("VERTEX_XY 0 0 0\nVERTEX_XY 1 0 0\n", "g");
+  EXPECT_TRUE(losses("g.g2o", file).empty());
+  file.graph.set_bounds(file.graph.all_vertices()[0], 0, 0, 1);
+  EXPECT_EQ(losses("g.g2o", file), std::vector<std::string>{"the bounds of 1 vertex"});
+  EXPECT_EQ(losses("g.bal", file), std::vector<std::string>{"the bounds of 1 vertex"});
+  file.graph.set_bounds(file.graph.all_vertices()[1], 1, 0, 1);
+  EXPECT_EQ(losses("g.g2o", file), std::vector<std::string>{"the bounds of 2 vertices"});
+  EXPECT_TRUE(losses("g.json", file).empty());
+}
+
 TEST(GraphFile, IsWrittenInTheFormatOfItsFileIfItsExtensionIsUnknown) {
   const std::string text = "0 1 0\n1\n2\n3\n";
   const GraphFile file = parse_graph(text, "g");

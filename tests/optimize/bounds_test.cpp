@@ -12,11 +12,14 @@
 #include "boxplus/linear/linear_solver_kind.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/types/ba.h"
+#include "boxplus/types/slam2d.h"
 
 namespace boxplus {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr AlgorithmKind kAlgorithms[] = {AlgorithmKind::kAutomatic, AlgorithmKind::kLevenbergMarquardt,
+                                         AlgorithmKind::kDogleg, AlgorithmKind::kGaussNewton};
 
 /// Options for which a run ends only when chi2 has rounding errors alone.
 Options exact_options(AlgorithmKind algorithm) {
@@ -310,6 +313,126 @@ TEST(Bounds, GiveTheSameBitsForAnyNumberOfThreads) {
   }
   EXPECT_EQ(chi2[0], chi2[1]);
   EXPECT_EQ(chi2[0], chi2[2]);
+}
+
+/// x + (limit − x) is one unit in the last place below the limit for these numbers.
+TEST(Bounds, HoldIfTheStepToALimitIsRounded) {
+  for (const AlgorithmKind algorithm : kAlgorithms) {
+    SCOPED_TRACE(to_string(algorithm));
+    Graph graph;
+    const auto x = graph.add_vertex(Vector2(-0.7, -0.2));
+    graph.set_bounds(x, 0, -kInfinity, 0.1);
+    graph.set_bounds(x, 1, 0, kInfinity);
+    graph.add_edge(
+        [](const auto& p) {
+          using S = std::decay_t<decltype(p[0])>;
+          return Vector<S, 2>(2.0 * p[0] + p[1] - 6.0, -2.0 * p[0] - 3.0 * p[1] + 4.0);
+        },
+        x);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_EQ(graph.estimate(x)[0], 0.1);
+    EXPECT_NEAR(graph.estimate(x)[1], 1.72, 1e-6);
+    EXPECT_NEAR(report.chi2_final, 18.496, 1e-6);
+  }
+}
+
+/// The steps from the start are a billion times longer than from the limits to the optimum.
+TEST(Bounds, HoldForEveryAlgorithmFromAStartFarAway) {
+  for (const AlgorithmKind algorithm : kAlgorithms) {
+    SCOPED_TRACE(to_string(algorithm));
+    Graph graph;
+    const auto x = graph.add_vertex(Vector2(-1000, -1000));
+    graph.set_bounds(x, 0, -kInfinity, 1e-6);
+    graph.set_bounds(x, 1, -kInfinity, 0.01);
+    graph.add_edge(
+        [](const auto& p) {
+          using S = std::decay_t<decltype(p[0])>;
+          return Vector<S, 2>(20.0 * p[0] - 0.3 * p[1] - 7.0, 10.0 * p[0] - 4.0);
+        },
+        x);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_EQ(graph.estimate(x)[0], 1e-6);
+    EXPECT_NEAR(report.chi2_final, 16, 1e-3);
+  }
+}
+
+/// The gauge of both graphs is free, and a vertex would be held without the bounds.
+TEST(Bounds, HoldForEveryVertexOfAGraphThatNothingAnchors) {
+  for (const AlgorithmKind algorithm : kAlgorithms) {
+    SCOPED_TRACE(to_string(algorithm));
+    Graph graph;
+    const auto a = graph.add_vertex(Vector2(5, 0)), b = graph.add_vertex(Vector2(0, 0));
+    graph.add_edge(Between(Vector2(1, 0)), a, b);
+    graph.set_bounds(a, 0, 0, 1);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_TRUE(report.gauge.held.empty());
+    EXPECT_GE(graph.estimate(a)[0], 0);
+    EXPECT_LE(graph.estimate(a)[0], 1);
+    EXPECT_NEAR(report.chi2_final, 0, 1e-12);
+    EXPECT_EQ(report.degrees_of_freedom, 0);
+
+    graph.set_bounds(a, 0, -1, 1);
+    graph.set_bounds(b, 0, -1, 0.5);
+    graph.set_estimate(a, Vector2(0.9, 0));
+    graph.set_estimate(b, Vector2(0, 0));
+    const Report again = optimize(graph, {.algorithm = algorithm});
+    EXPECT_TRUE(again.converged()) << again;
+    EXPECT_NEAR(again.chi2_final, 0, 1e-12);
+    EXPECT_LE(graph.estimate(b)[0], 0.5);
+  }
+}
+
+TEST(Bounds, DecideWhatIsHeldAlsoIfTheyAreSetOrLiftedBetweenRuns) {
+  Graph graph;
+  const auto a = graph.add_vertex(Vector2(0, 0)), b = graph.add_vertex(Vector2(0, 0));
+  graph.add_edge(Between(Vector2(1, 0)), a, b);
+  Optimizer optimizer(graph);
+  EXPECT_EQ(optimizer.run().gauge.held.size(), 1u);
+  graph.set_bounds(a, 0, 2, 3);
+  const Report bounded = optimizer.run();
+  EXPECT_TRUE(bounded.converged()) << bounded;
+  EXPECT_GE(graph.estimate(a)[0], 2);
+  EXPECT_NEAR(bounded.chi2_final, 0, 1e-12);
+  EXPECT_TRUE(optimizer.covariance(std::vector<VertexRef>{b}).ok()) << "a covariance ignores bounds";
+  const auto c = graph.add_vertex(Vector2(3, 3));
+  graph.set_bounds(c, 1, 0, 1);
+  graph.add_edge(Between(Vector2(1, 0)), b, c);
+  EXPECT_TRUE(optimizer.run().converged());
+  EXPECT_LE(graph.estimate(c)[1], 1);
+  graph.set_bounds(a, 0, -kInfinity, kInfinity);
+  graph.set_bounds(c, 1, -kInfinity, kInfinity);
+  EXPECT_EQ(optimizer.run().gauge.held.size(), 1u);
+}
+
+TEST(Bounds, HoldForANewVertexOfAGraphWithAHeldVertex) {
+  Graph graph;
+  const auto a = graph.add_vertex(Vector2(0, 0)), b = graph.add_vertex(Vector2(0, 0));
+  graph.add_edge(Between(Vector2(1, 0)), a, b);
+  Optimizer optimizer(graph);
+  EXPECT_EQ(optimizer.run().gauge.held.size(), 1u);
+  const auto c = graph.add_vertex(Vector2(0, 0));
+  graph.set_bounds(c, 0, -6, -5);
+  graph.add_edge(Between(Vector2(1, 0)), b, c);
+  const Report report = optimizer.run();
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_NEAR(report.chi2_final, 0, 1e-9);
+  EXPECT_LE(graph.estimate(c)[0], -5);
+}
+
+TEST(Bounds, MoveVerticesWithoutEdges) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), alone = graph.add_vertex(5.0), left_out = graph.add_vertex(5.0);
+  graph.add_edge([](const auto& x) { return x - 3.0; }, a);
+  graph.set_bounds(alone, 0, -1, 1);
+  graph.set_bounds(left_out, 0, -1, 1);
+  EXPECT_TRUE(optimize(graph, {.vertices = {a, alone}}).converged());
+  EXPECT_EQ(graph.estimate(alone), 1);
+  EXPECT_EQ(graph.estimate(left_out), 5) << "only the vertices of the options are optimized";
+  EXPECT_TRUE(optimize(graph).converged());
+  EXPECT_EQ(graph.estimate(left_out), 1);
 }
 
 TEST(Bounds, MoveEstimatesThatAreOutsideButNotFixedOnes) {

@@ -4,6 +4,9 @@
 import pathlib
 import tempfile
 import unittest
+import warnings
+
+import numpy as np
 
 import boxplus
 from arrays_test import FILE_2D, FILE_3D
@@ -26,6 +29,16 @@ class Files(unittest.TestCase):
             self.assertTrue(self.path.read_text(encoding="utf-8").startswith("# a comment\n"))
             self.assertEqual(boxplus.load(str(self.path)).to_text(), graph.to_text())
             self.assertEqual(graph.format, "g2o")
+
+    def test_saving_warns_of_bounds_that_the_format_does_not_keep(self):
+        graph = boxplus.Graph()
+        vertex = graph.add_vertex(np.array([0.0, 0.0]))
+        graph.set_bounds(vertex, 0, lower=0)
+        with self.assertWarnsRegex(RuntimeWarning, "does not keep the bounds of 1 vertex"):
+            graph.save(self.path)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            graph.save(self.path.with_suffix(".json"))
 
     def test_bad_input_is_an_error_with_file_line_and_column(self):
         with self.assertRaises(boxplus.InputError) as raised:

@@ -113,16 +113,14 @@ void note_what_is_lost(const std::string& path, const GraphFile& file, const std
     written = formats.find("COLMAP");
   if (written == nullptr) written = read;
   if (read == nullptr || !read->keeps_everything || written->keeps_everything) return;
-  std::size_t disabled = 0, levels = 0, kernels = 0, directions = 0, bounds = 0;
+  std::size_t disabled = 0, levels = 0, kernels = 0, directions = 0;
   for (const EdgeRef& edge : file.graph.all_edges()) {
     disabled += !file.graph.is_enabled(edge);
     levels += file.graph.level(edge) != 0;
     kernels += file.graph.kernel(edge) != nullptr;
   }
-  for (const VertexRef& vertex : file.graph.all_vertices()) {
+  for (const VertexRef& vertex : file.graph.all_vertices())
     directions += !file.graph.fixed_directions(vertex).empty();
-    bounds += !file.graph.bounds(vertex).empty();
-  }
   std::string lost;
   const auto add = [&](std::size_t count, const char* what) {
     if (count > 0) lost += fmt::format("{}{} {}", lost.empty() ? "" : ", ", count, what);
@@ -131,7 +129,6 @@ void note_what_is_lost(const std::string& path, const GraphFile& file, const std
   add(levels, "edges have another level than 0");
   add(kernels, "edges have kernels");
   add(directions, "vertices have fixed directions");
-  add(bounds, "vertices have bounds");
   if (!lost.empty()) print_message(fmt::format("{}: only JSON keeps that {}", name, lost));
 }
 

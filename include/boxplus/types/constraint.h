@@ -31,8 +31,9 @@ struct ErrorOf<E, A...> {
 /// which all enabled active constraints vanish, by the method of multipliers (Hestenes, "Multiplier and
 /// gradient methods", 1969; Bertsekas, "Constrained optimization and Lagrange multiplier methods", 1982): it
 /// runs several times, and shifts the errors of the constraints in between. Report::constraints has the
-/// multipliers, and Report::constraint_violation the largest error that is left. A run is converged only if
-/// this error is at most 1e-9 or, if that is more, 1e-9 times the largest error at the start.
+/// multipliers, and Report::constraint_violation the largest error that is left (NaN if Options::time_limit_s
+/// or Options::stop ended the run while planning, so that no error was evaluated). A run is converged only if
+/// every error e is at most 1e-9 or, if that is more, 4 ε Σ |∂e/∂x| |x|: the rounding of the estimates x.
 ///
 /// Ω says how the rows of the constraints compare with each other in early runs; the result does not depend
 /// on it. Graph::chi2() includes eᵀΩe. A constraint cannot have a robust kernel: optimize() throws
