@@ -22,6 +22,8 @@ class DoubleDoubleCholesky {
   void analyze(const BlockStructure& structure, std::span<const std::uint32_t> last, const StopToken& stop);
   /// The number of multiplications in one factorization. Each takes about 15 ns.
   double multiplications() const { return multiplications_; }
+  /// The number of multiplications in one call of solve().
+  double multiplications_to_solve() const { return 2 * static_cast<double>(rows_.size()); }
   /// `values` are the values of the structure. A pivot d counts as lost if d ≤ 1e-28 · vᵀ diag(A + λD) v,
   /// with v as in lost_pivot.h. So matrices with a scaled condition number below 1e28 are never rejected.
   FactorResult factorize(std::span<const DoubleDouble> values, const Damping& damping, const StopToken& stop);

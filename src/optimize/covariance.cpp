@@ -8,6 +8,7 @@
 #include "linear/inverse_blocks.h"
 #include "optimize/covariance_references.h"
 #include "optimize/covariance_system.h"
+#include "optimize/weight_span.h"
 #include "plan/fixed_directions.h"
 
 namespace boxplus {
@@ -44,7 +45,7 @@ class CovarianceMaker {
     list(vertices);
     refuse_freedoms();
     const auto& failure = system_.failure();
-    if (result_.ok() && failure) fail(failure->status, failure->vertex, failure->why);
+    if (result_.ok() && failure) fail(*failure);
     if (result_.ok()) invert();
     std::vector<VertexRef> references = this->references();
     return {std::move(result_), std::move(references)};
@@ -97,6 +98,17 @@ class CovarianceMaker {
     return options_.vertices.empty() || contains(options_.vertices);
   }
 
+  /// If the weights span more digits than a factor with 32 digits has, a lost pivot says nothing of a vertex.
+  void fail(const CovarianceSystem::Failure& failure) {
+    constexpr double kMostDigits = 18;
+    const WeightSpan span = weight_span(graph_, plan());
+    const bool is_span = failure.status == Covariance::Status::kSingular && span.digits() > kMostDigits;
+    if (!failure.is_weight_span && !is_span) return fail(failure.status, failure.vertex, failure.why);
+    result_.status_ = failure.status;
+    result_.failed_vertex_ = failure.vertex;
+    result_.message_ = "there is no covariance: " + to_string(span, graph_);
+  }
+
   void fail(Covariance::Status status, VertexRef vertex, std::string_view why) {
     result_.status_ = status;
     result_.failed_vertex_ = vertex;
@@ -126,10 +138,15 @@ class CovarianceMaker {
 
   static int rigid_motions(const detail::Frame& frame) { return frame.dimension == 2 ? 3 : 6; }
 
+  /// Above this growth of the inverse, rounding in double may be visible in its sixth digit.
+  static constexpr double kMostGrowth = 1e8;
+
+  /// The vertices of a wanted block.
+  struct Target {
+    std::size_t i, j;
+  };
+
   void invert() {
-    struct Target {
-      std::size_t i, j;
-    };
     std::vector<BlockCoordinate> wanted;
     std::vector<Target> targets;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
@@ -140,6 +157,7 @@ class CovarianceMaker {
       }
     }
     if (wanted.empty()) return;
+    if (system_.precise_factor() != nullptr) return invert_precisely(wanted, targets);
     InverseBlocks inverse(plan().structure, wanted);
     if (!inverse.compute(system_.solver(), stop_)) {
       stop_.check();
@@ -147,7 +165,82 @@ class CovarianceMaker {
            "the inverse of H overflows");
       return;
     }
+    if (growth(wanted, inverse) > kMostGrowth && system_.compute_precise_factor(scalars(wanted))) {
+      if (system_.failure()) return fail(*system_.failure());
+      return invert_precisely(wanted, targets);
+    }
     for (std::size_t k = 0; k < wanted.size(); ++k) store(targets[k].i, targets[k].j, inverse.block(k));
+  }
+
+  /// The largest product of a diagonal entry of H and the same one of its inverse, which is at most the
+  /// condition number of the scaled H.
+  double growth(std::span<const BlockCoordinate> wanted, const InverseBlocks& inverse) const {
+    double largest = 0;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (wanted[k].row != wanted[k].column) continue;
+      const Eigen::MatrixXd block = inverse.block(k);
+      for (Eigen::Index i = 0; i < block.rows(); ++i) {
+        if (!is_held(wanted[k].row, i))
+          largest =
+              std::max(largest, block(i, i) * system_.diagonal(wanted[k].row, static_cast<std::uint32_t>(i)));
+      }
+    }
+    return largest;
+  }
+
+  /// The number of columns of the inverse that have wanted blocks.
+  std::size_t scalars(std::span<const BlockCoordinate> wanted) const {
+    std::size_t sum = 0;
+    for (const auto& [row, column] : wanted) sum += row == column ? plan().structure.dim(column) : 0;
+    return sum;
+  }
+
+  /// Whether rounding of the Jacobians, which are doubles, may change the diagonal block of a column visibly.
+  bool has_too_few_digits(std::uint32_t column, std::span<const Eigen::MatrixXd> blocks,
+                          std::span<const std::size_t> of_column,
+                          std::span<const BlockCoordinate> wanted) const {
+    constexpr double kMostPreciseGrowth = 1e24;  // its product with ε² is 5e-8
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      if (wanted[of_column[b]].row != column) continue;
+      for (Eigen::Index i = 0; i < blocks[b].rows(); ++i) {
+        const double entry = system_.diagonal(column, static_cast<std::uint32_t>(i));
+        if (!is_held(column, i) && !(blocks[b](i, i) * entry <= kMostPreciseGrowth)) return true;
+      }
+    }
+    return false;
+  }
+
+  void invert_precisely(std::span<const BlockCoordinate> wanted, std::span<const Target> targets) {
+    constexpr double kMostMultiplications = 4e9;  // a minute
+    const BlockStructure& structure = plan().structure;
+    const double per_column = system_.precise_factor()->multiplications_to_solve();
+    if (static_cast<double>(scalars(wanted)) * per_column > kMostMultiplications)
+      return fail({Covariance::Status::kSingular, plan().block_vertex[wanted.front().row], {}, true});
+    std::vector<std::vector<std::size_t>> of_column(structure.blocks());
+    for (std::size_t k = 0; k < wanted.size(); ++k) of_column[wanted[k].column].push_back(k);
+    std::vector<DoubleDouble> x(structure.scalars());
+    for (std::uint32_t column = 0; column < structure.blocks(); ++column) {
+      std::vector<Eigen::MatrixXd> blocks;
+      for (const std::size_t k : of_column[column])
+        blocks.emplace_back(structure.dim(wanted[k].row), structure.dim(column));
+      for (std::uint32_t c = 0; c < structure.dim(column) && !blocks.empty(); ++c) {
+        stop_.check();
+        std::fill(x.begin(), x.end(), DoubleDouble());
+        x[structure.offset[column] + c] = 1;
+        system_.precise_factor()->solve(x);
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+          const std::uint32_t first = structure.offset[wanted[of_column[column][b]].row];
+          for (Eigen::Index r = 0; r < blocks[b].rows(); ++r)
+            blocks[b](r, c) = x[first + static_cast<std::uint32_t>(r)].high;
+        }
+      }
+      if (has_too_few_digits(column, blocks, of_column[column], wanted))
+        return fail({Covariance::Status::kSingular, plan().block_vertex[column], {}, true});
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Target& target = targets[of_column[column][b]];
+        store(target.i, target.j, std::move(blocks[b]));
+      }
+    }
   }
 
   /// Stores the block of the inverse for vertices i and j. If i equals j, makes the block exactly symmetric.

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "linearize/double_double_system.h"
+#include "linearize/stiff_edge.h"
 #include "optimize/planned_system.h"
 #include "plan/active_set.h"
 
@@ -116,6 +118,7 @@ void CovarianceSystem::factorize() {
 
 bool CovarianceSystem::has_same_values() const {
   const auto values = linearizer_->values();
+  if (precise_) return false;  // H has more digits than these values
   return factorized_values_.size() == values.size() &&
          std::memcmp(values.data(), factorized_values_.data(), values.size_bytes()) == 0;
 }
@@ -136,6 +139,7 @@ void CovarianceSystem::factorize_values() {
   analyze();
   held_.clear();
   failure_.reset();
+  precise_.reset();
   const AssembledSystem system(plan_->structure, linearizer_->values());
   stiffness_.assign(plan_->scalars(), 0.0);
   for (const std::uint32_t scalar : plan_->held_scalars) {
@@ -149,12 +153,47 @@ void CovarianceSystem::factorize_values() {
     factor = solver_->factorize(system, {1.0, stiffness_.data()}, control);
   stop_.check();
   if (factor.status == LinearStatus::kOk) return;
+  if (factor.status == LinearStatus::kNotPositiveDefinite && compute_precise_factor(1)) return;
   const VertexRef vertex = plan_->block_vertex[factor.failed_block];
   if (factor.status == LinearStatus::kNotFinite) {
     failure_ = {Covariance::Status::kNotFinite, vertex,
                 "an error, a Jacobian or a weight is NaN or infinite"};
   } else {
     failure_ = {Covariance::Status::kSingular, vertex, "the edges leave it free to move in some direction"};
+  }
+}
+
+double CovarianceSystem::diagonal(std::uint32_t block, std::uint32_t direction) const {
+  const std::uint32_t first = plan_->structure.value_start[plan_->structure.column_start[block]];
+  return linearizer_->values()[first + direction * (plan_->structure.dim(block) + 1)];
+}
+
+bool CovarianceSystem::compute_precise_factor(std::size_t solves) {
+  if (!information_is_stiff(*graph_, *plan_)) return false;
+  factorize_precisely(solves);
+  return true;
+}
+
+void CovarianceSystem::factorize_precisely(std::size_t solves) {
+  constexpr double kMostMultiplications = 2e9;  // half a minute
+  auto factor = std::make_unique<DoubleDoubleCholesky>();
+  factor->analyze(plan_->structure, plan_->undetermined_blocks, stop_);
+  const double work =
+      factor->multiplications() + static_cast<double>(solves) * factor->multiplications_to_solve();
+  if (work > kMostMultiplications) {
+    failure_ = {Covariance::Status::kSingular, plan_->block_vertex[0], {}, true};
+    return;
+  }
+  DoubleDoubleSystem system;
+  linearize_in_double_double(*graph_, *plan_, {options_->numeric_jacobians, options_->triggs_correction},
+                             stop_, system);
+  const FactorResult result = factor->factorize(system.values, {1.0, stiffness_.data()}, stop_);
+  stop_.check();
+  if (result.status == LinearStatus::kOk) {
+    precise_ = std::move(factor);
+  } else {
+    failure_ = {Covariance::Status::kSingular, plan_->block_vertex[result.failed_block],
+                "the edges leave it free to move in some direction"};
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "boxplus/linearize/linearizer.h"
 #include "boxplus/optimize/covariance.h"
+#include "linear/double_double_cholesky.h"
 #include "optimize/batch_system.h"
 #include "optimize/covariance_references.h"
 #include "optimize/linearization_inputs.h"
@@ -29,6 +30,7 @@ class CovarianceSystem {
     Covariance::Status status;
     VertexRef vertex;
     std::string_view why;
+    bool is_weight_span = false;  ///< then not the vertex, but weight_span.h says why
   };
 
   /// Brings the plan up to date. `planned` has an up-to-date plan of the same graph and options, whose plan
@@ -55,6 +57,15 @@ class CovarianceSystem {
   bool is_held(std::uint32_t scalar) const { return stiffness_[scalar] > 0; }
   int held_directions(std::uint32_t block) const;
   LinearSolver& solver() { return *solver_; }
+  /// The diagonal entry of H without what holds a direction.
+  double diagonal(std::uint32_t block, std::uint32_t direction) const;
+  /// The factor of H with 32 digits, which replaces solver() if the weights span too many digits for double.
+  /// Otherwise null.
+  const DoubleDoubleCholesky* precise_factor() const { return precise_.get(); }
+  /// Computes precise_factor(), for `solves` calls of its solve(), if the Ω of the graph span many digits.
+  /// Returns false if they do not. If the factor does not exist or takes too long, there is a failure. Throws
+  /// Stopped.
+  bool compute_precise_factor(std::size_t solves);
 
  private:
   bool has_plan_for(const Graph& graph, const Options& options, const BatchSystem* planned) const;
@@ -63,6 +74,7 @@ class CovarianceSystem {
   bool has_same_values() const;
   void analyze();
   void factorize_values();
+  void factorize_precisely(std::size_t solves);
   bool hold(const FactorResult& factor);
   void hold(std::uint32_t block, std::uint32_t scalar);
 
@@ -80,6 +92,7 @@ class CovarianceSystem {
 
   std::unique_ptr<Linearizer> linearizer_;
   std::shared_ptr<LinearSolver> solver_;
+  std::unique_ptr<DoubleDoubleCholesky> precise_;
   bool is_analyzed_ = false, is_factorized_ = false;
   // The members below belong to an H of these inputs or, if they are of other types, with these values.
   LinearizationInputs inputs_;

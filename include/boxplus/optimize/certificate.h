@@ -98,7 +98,8 @@ std::string why_not_certifiable(const Graph& graph, const Options& options = {})
 /// For graphs whose edges measure relative poses (SE2 or SE3), without robust kernels. At most one vertex per
 /// connected component may be fixed. Throws InvalidArgument for other graphs (why_not_certifiable()).
 /// Disabled edges are ignored. Takes about as long as one run of optimize(), and longer only if the minimum
-/// is not global. All sums and factorizations are in double; their rounding errors are not part of the bound.
+/// is not global. All sums and factorizations are in double. The bound includes the probable size of their
+/// rounding errors; if a double has too few digits for a proof, the verdict is kUndecided.
 Certificate certify(Graph& graph, const CertificateOptions& options = {});
 
 }  // namespace boxplus

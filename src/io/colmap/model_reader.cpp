@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "io/model/model_graph.h"
@@ -12,6 +13,8 @@
 namespace boxplus {
 namespace {
 
+/// As in .g2o files.
+constexpr double kNormTolerance = 1e-3;
 constexpr std::uint64_t kMostPointId = std::uint64_t{1}
                                        << 62;  // so that the id of its vertex does not overflow
 
@@ -126,13 +129,18 @@ SparseModel read_model(ModelInput& cameras, ModelInput& images, ModelInput& poin
 
 SparseModel::Pose read_pose(ModelInput& in, const std::string& owner) {
   SparseModel::Pose pose;
-  for (double& value : pose.rotation) value = in.number("a quaternion's coefficient");
+  std::optional<ModelInput::Place> place;
+  for (double& value : pose.rotation) {
+    value = in.number("a quaternion's coefficient");
+    if (!place) place = in.place();
+  }
   for (double& value : pose.translation) value = in.number("a coordinate of the translation");
   const auto& q = pose.rotation;
   const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-  if (!(norm > 1e-6 && norm < 1e6))
-    in.fail(in.place(),
-            fmt::format("{}: expected a quaternion of length 1, got one of length {:.6g}", owner, norm));
+  if (!(std::abs(norm - 1) <= kNormTolerance))
+    in.fail(*place, fmt::format("{}: expected a quaternion QW QX QY QZ of length 1 (± {}), got one of "
+                                "length {:.6g}",
+                                owner, kNormTolerance, norm));
   if (!is_moderate(pose_of(pose)))
     in.fail(in.place(),
             fmt::format("{}: expected a pose with moderate values, got values that overflow", owner));

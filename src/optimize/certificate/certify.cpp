@@ -10,6 +10,7 @@
 #include "boxplus/optimize/certificate.h"
 #include "boxplus/optimize/initial_guess.h"
 #include "boxplus/optimize/optimizer.h"
+#include "optimize/certificate/rounding.h"
 #include "optimize/certificate/search.h"
 #include "optimize/outliers/snapshot.h"
 #include "optimize/stopwatch.h"
@@ -41,7 +42,7 @@ class Certifier {
   void judge();
   double chi2() const;
   double optimized_chi2();
-  double rounding() const;
+  void explain_missing_proof();
 
   Graph& graph_;
   const CertificateOptions& options_;
@@ -50,6 +51,7 @@ class Certifier {
   outliers::Snapshot given_;
   Certificate result_;
   bool is_global_ = false;  // whether F is within the tolerance of its bound
+  double rounding_ = 0;     // how much rounding may change F
 };
 
 /// The chi2 of the current estimates with normalized quaternions.
@@ -81,6 +83,7 @@ StackedPoses Certifier::find_chordal_minimum() {
   Search search(problem_, read_poses(graph_, problem_), options_.tolerance, resources);
   const auto record = [&] {
     is_global_ = search.is_global();
+    rounding_ = search.rounding();
     result_.chordal_cost = search.cost();
     result_.bound = std::min(search.bound().value_or(0), search.cost());
     result_.steps = search.steps();
@@ -110,7 +113,7 @@ double Certifier::optimized_chi2() {
 }
 
 /// Whether the given estimates lead to this chi2, too. The run that ended there may have stopped a little
-/// earlier than optimized_chi2() does.
+/// earlier than optimized_chi2() does; then judge() refuses them.
 bool Certifier::is_same_minimum(double found) {
   constexpr double kEarly = 1e-3;
   if (found >= result_.chi2 * (1 - kSame)) return true;
@@ -134,35 +137,40 @@ bool Certifier::compare(const StackedPoses& poses) {
   return true;
 }
 
+/// Sets the note if F is not within the tolerance of its bound.
+void Certifier::explain_missing_proof() {
+  result_.note = "no better minimum was found";
+  if (result_.bound > 0) {
+    result_.note +=
+        fmt::format(", and the {} cannot be lower than {:.10g}, but this is a relative {:.1e} lower",
+                    result_.relation == Certificate::Relation::kEqual ? "chi2" : "chordal cost",
+                    result_.bound, result_.relative_gap());
+  }
+  if (rounding_ > options_.tolerance * result_.chordal_cost)
+    result_.note += ", and the digits of a double do not suffice for a proof";
+}
+
 void Certifier::judge() {
+  const bool is_chi2 = result_.relation == Certificate::Relation::kEqual;
+  const double lowest = is_chi2 ? result_.bound : result_.chi2_from_chordal;
+  const double above = result_.chi2 - lowest;
   if (!is_global_) {
-    result_.note = "no better minimum was found";
-    if (result_.bound > 0) {
-      result_.note +=
-          fmt::format(", and the {} cannot be lower than {:.10g}, but this is a relative {:.1e} lower",
-                      result_.relation == Certificate::Relation::kEqual ? "chi2" : "chordal cost",
-                      result_.bound, result_.relative_gap());
-    }
+    explain_missing_proof();
   } else if (result_.chi2_from_chordal > result_.chi2 * (1 + kSame)) {
     result_.note = "a run from the global minimum of the chordal cost ends at a higher chi2";
+  } else if (above > (is_chi2 ? options_.tolerance : kSame) * result_.chi2) {
+    result_.note = fmt::format(
+        "the estimates are next to the global minimum, but their chi2 is a relative {:.1e} above {:.10g}; "
+        "a run from them with a smaller tolerance may end closer",
+        above / result_.chi2, lowest);
   } else {
     result_.verdict = Certificate::Verdict::kGlobalMinimum;
   }
 }
 
-/// The chi2 that rounding errors cause at estimates that fit all measurements. A lower chi2 is not possible.
-double Certifier::rounding() const {
-  constexpr double kRelative = 1e-13;
-  double extent2 = 1, weights = 0;
-  for (const StackedPose& pose : read_poses(graph_, problem_))
-    extent2 = std::max(extent2, pose.row(problem_.dimension).squaredNorm());
-  for (const ChordalEdge& edge : problem_.edges) weights += edge.weight.trace();
-  return kRelative * kRelative * weights * extent2;
-}
-
 Certificate Certifier::run() {
   try {
-    if (result_.chi2 <= rounding()) {
+    if (fits_exactly(problem_, read_poses(graph_, problem_))) {
       result_.verdict = Certificate::Verdict::kGlobalMinimum;
     } else if (compare(find_chordal_minimum())) {
       result_.verdict = Certificate::Verdict::kLocalMinimum;

@@ -14,12 +14,11 @@ detail::Frame frame_of(const Graph& graph, const VertexRef& vertex) {
   return frame;
 }
 
-/// D = X_to − B X_from
+}  // namespace
+
 StackedPose difference(const ChordalEdge& edge, const StackedPoses& poses) {
   return poses[edge.to] - edge.motion.lazyProduct(poses[edge.from]);
 }
-
-}  // namespace
 
 double ChordalProblem::cost(const StackedPoses& poses) const {
   double sum = 0;
@@ -40,7 +39,10 @@ StackedPoses ChordalProblem::gradient(const StackedPoses& poses) const {
   return result;
 }
 
-StackedPoses read_poses(const Graph& graph, const ChordalProblem& problem) {
+namespace {
+
+/// The estimates in the frame of the graph.
+StackedPoses absolute_poses(const Graph& graph, const ChordalProblem& problem) {
   const int d = problem.dimension;
   StackedPoses poses;
   poses.reserve(problem.vertices.size());
@@ -51,6 +53,21 @@ StackedPoses read_poses(const Graph& graph, const ChordalProblem& problem) {
     pose.topRows(d) = guess::nearest_rotation(rotation).value_or(rotation).transpose();
     pose.row(d) = guess::translation_of(frame).transpose();
     poses.push_back(pose);
+  }
+  return poses;
+}
+
+}  // namespace
+
+StackedPoses read_poses(const Graph& graph, const ChordalProblem& problem) {
+  const int d = problem.dimension;
+  const StackedPoses absolute = absolute_poses(graph, problem);
+  StackedPoses poses = absolute;
+  for (std::size_t node = 0; node < poses.size(); ++node) {
+    const StackedPose& pin = absolute[problem.pin[node]];
+    poses[node].row(d) -= pin.row(d);
+    poses[node] *= pin.topRows(d).transpose().eval();
+    if (problem.pin[node] == node) poses[node] = StackedPose::Identity(d + 1, d);
   }
   return poses;
 }
@@ -69,12 +86,17 @@ StackedPoses round_poses(const StackedPoses& poses, const ChordalProblem& proble
 }
 
 void write_poses(const StackedPoses& poses, const ChordalProblem& problem, Graph& graph) {
-  const StackedPoses rounded = round_poses(poses, problem);
+  const int d = problem.dimension;
+  StackedPoses rounded = round_poses(poses, problem);
+  const StackedPoses absolute = absolute_poses(graph, problem);
   for (const std::uint32_t node : problem.moving) {
+    const StackedPose& pin = absolute[problem.pin[node]];
+    rounded[node] *= pin.topRows(d);
+    rounded[node].row(d) += pin.row(d);
     const VertexRef& vertex = problem.vertices[node];
     detail::Frame frame = frame_of(graph, vertex);
-    guess::set_rotation(frame, rounded[node].topRows(problem.dimension).transpose());
-    guess::set_translation(frame, rounded[node].row(problem.dimension).transpose());
+    guess::set_rotation(frame, rounded[node].topRows(d).transpose());
+    guess::set_translation(frame, rounded[node].row(d).transpose());
     graph.vertex_pools()[vertex.pool]->set_frame(vertex.slot, frame);
   }
 }

@@ -28,6 +28,9 @@ struct ChordalEdge {
   Block weight;  ///< W
 };
 
+/// D = X_to − B X_from
+StackedPose difference(const ChordalEdge& edge, const StackedPoses& poses);
+
 /// F(X) = Σ tr(Dᵀ W D) = tr(Xᵀ Q X). One pose of each connected component is pinned: it does not move,
 /// because F does not change if all poses of a component move together.
 struct ChordalProblem {
@@ -37,19 +40,22 @@ struct ChordalProblem {
   std::vector<VertexRef> vertices;    ///< of each pose
   std::vector<std::uint32_t> block;   ///< the index of each pose among those that move, or kPinned
   std::vector<std::uint32_t> moving;  ///< the pose of each block
+  std::vector<std::uint32_t> pin;     ///< the pinned pose of the component of each pose
+  std::vector<double> offset;         ///< the distance of that pose from the origin of the graph
   std::vector<ChordalEdge> edges;
   std::vector<EdgeRef> refs;  ///< of `edges`
   Certificate::Relation relation = Certificate::Relation::kEqual;
-  double rows = 0;  ///< the number of rows of all edges
 
   double cost(const StackedPoses& poses) const;
   /// Q X
   StackedPoses gradient(const StackedPoses& poses) const;
 };
 
-/// Returns the estimates of the graph. Rotations are projected, so that rounding in files does not matter.
+/// Returns the estimates of the graph relative to the pinned pose of their component, which therefore is
+/// exactly the identity. Rotations are projected, so that rounding in files does not matter.
 StackedPoses read_poses(const Graph& graph, const ChordalProblem& problem);
-/// Sets the estimates to the nearest rotations of the first d columns.
+/// Sets the estimates to the nearest rotations of the first d columns. `poses` are relative to the pinned
+/// poses, which stay where they are.
 void write_poses(const StackedPoses& poses, const ChordalProblem& problem, Graph& graph);
 /// The nearest poses of p = d columns.
 StackedPoses round_poses(const StackedPoses& poses, const ChordalProblem& problem);

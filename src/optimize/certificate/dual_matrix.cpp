@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -67,6 +68,8 @@ void DualMatrix::update(const StackedPoses& poses) {
   const int d = problem_.dimension;
   values_ = quadratic_;
   residual_ = problem_.gradient(poses);
+  magnitudes_.resize(structure_.scalars());
+  multipliers_ = 0;
   for (std::uint32_t i = 0; i < structure_.blocks(); ++i) {
     const std::uint32_t pose = problem_.moving[i];
     const Block product = residual_[pose].topRows(d) * poses[pose].topRows(d).transpose();
@@ -74,6 +77,13 @@ void DualMatrix::update(const StackedPoses& poses) {
     residual_[pose].topRows(d) -= multiplier * poses[pose].topRows(d);
     double* diagonal = values_.data() + structure_.value_start[structure_.column_start[i]];
     BlockMap(diagonal, d + 1, d + 1).topLeftCorner(d, d) -= multiplier;
+    const double* const quadratic = quadratic_.data() + structure_.value_start[structure_.column_start[i]];
+    for (int row = 0; row <= d; ++row) {
+      const double of_multiplier = row < d ? multiplier.row(row).cwiseAbs().sum() : 0;
+      magnitudes_[structure_.offset[i] + static_cast<std::uint32_t>(row)] =
+          quadratic[row * (d + 2)] + of_multiplier;
+      multipliers_ += of_multiplier;
+    }
   }
 }
 
@@ -89,17 +99,23 @@ std::vector<double> DualMatrix::residual_columns() const {
 
 std::optional<double> DualMatrix::gap(double slack) {
   if (structure_.blocks() == 0) return 0;
-  double lowered = 0;
-  if (!factor_->factorize()) {
-    const double per_mu = 4.0 * problem_.dimension * structure_.blocks();
-    if (!factor_->factorize({.lambda = slack / per_mu, .diagonal = rotation_rows_.data()}))
-      return std::nullopt;
-    lowered = slack;
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  const double relative = 8 * kEpsilon * std::sqrt(structure_.scalars());
+  double lowered = 4 * kEpsilon * multipliers_;
+  std::vector<double> shift(magnitudes_.size());
+  for (std::size_t i = 0; i < shift.size(); ++i) shift[i] = -relative * magnitudes_[i];
+  if (!factor_->factorize({.lambda = 1, .diagonal = shift.data()})) {
+    const double mu = slack / (4.0 * problem_.dimension * structure_.blocks());
+    for (std::size_t i = 0; i < shift.size(); ++i) shift[i] += mu * rotation_rows_[i];
+    if (!factor_->factorize({.lambda = 1, .diagonal = shift.data()})) return std::nullopt;
+    lowered += slack;
   }
   const std::vector<double> right = residual_columns();
   std::vector<double> solution = right;
   factor_->solve(solution);
-  const double gap = lowered + std::max(0.0, dot(right, solution));
+  double magnitude = 0;
+  for (std::size_t i = 0; i < right.size(); ++i) magnitude += std::abs(right[i] * solution[i]);
+  const double gap = lowered + std::max(0.0, dot(right, solution)) + relative * magnitude;
   return std::isfinite(gap) ? std::optional(gap) : std::nullopt;
 }
 

@@ -11,6 +11,13 @@
 // This is a lower bound for F. It holds for any X, and it is F(X) itself if X is stationary (r = 0). If only
 // S₀ + μ I is positive definite, where I is for the rows of rotations, the bound is lower by 4 d μ for each
 // pose, because ‖D_i‖² ≤ 4 d there.
+//
+// Rounding. The sums in S and its Cholesky factor are exact for a matrix that differs from S by at most ρ σ_i
+// in each diagonal entry, in the order of semi-definite matrices. σ_i is the sum of the magnitudes in
+// diagonal entry i, and ρ = 8 ε √n for n rows (Higham & Mary, "A new approach to probabilistic rounding error
+// analysis", 2019). So S₀ − ρ diag(σ) is factorized: if this succeeds, S₀ is positive definite, and the
+// smaller matrix gives a larger gap. If X_i X_iᵀ is I only up to E_i, F(Y) − F(X) has another term −Σ tr(Λ_i
+// E_i), and a bound of it is part of the gap.
 #pragma once
 
 #include <optional>
@@ -33,8 +40,9 @@ class DualMatrix {
   /// The rows of S X that belong to a pose.
   const StackedPose& residual(std::uint32_t pose) const { return residual_[pose]; }
 
-  /// A number by which no poses have a lower F. Empty if S₀ + μ I is not positive definite for the μ that
-  /// lowers the bound by `slack`.
+  /// A number by which no poses have a lower F than the exact F of these poses. Empty if S₀ + μ I is not
+  /// positive definite for the μ that lowers the bound by `slack`, or if rounding may be the reason that it
+  /// is.
   std::optional<double> gap(double slack);
   /// v with vᵀ S₀ v < 0, d + 1 values per block, whose longest rotation part has length one. Empty if none is
   /// found.
@@ -50,6 +58,8 @@ class DualMatrix {
   BlockStructure structure_;
   std::vector<double> quadratic_, values_;  // of Q, and of S
   std::vector<double> rotation_rows_;       // 1 for the rows of rotations, 0 for translations
+  std::vector<double> magnitudes_;          // σ
+  double multipliers_ = 0;                  // the sum of the magnitudes in all Λ_i
   StackedPoses residual_;
   std::optional<SparseFactor> factor_;
 };

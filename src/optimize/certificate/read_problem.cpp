@@ -142,7 +142,6 @@ void Reader::add(const EdgeRef& edge, const detail::RelativeFrame& relative, std
   if (d == 3) result.weight.topLeftCorner(d, d) -= rotation;
   result.weight(d, d) = tau;
   problem_.relation = std::max(problem_.relation, relation(edge, omega, relative, tau));
-  problem_.rows += static_cast<double>(omega.rows());
   problem_.edges.push_back(result);
   problem_.refs.push_back(edge);
   parent_[root(from)] = root(to);
@@ -191,6 +190,11 @@ bool Reader::pin_components() {
   for (std::uint32_t node = 0; node < count; ++node) {
     std::uint32_t& pin = pinned[root(node)];
     if (pin == ChordalProblem::kPinned) pin = node;
+    detail::Frame frame;
+    const VertexRef& vertex = problem_.vertices[pin];
+    graph_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame);
+    problem_.pin.push_back(pin);
+    problem_.offset.push_back(guess::translation_of(frame).norm());
     if (pin == node) continue;
     problem_.block[node] = static_cast<std::uint32_t>(problem_.moving.size());
     problem_.moving.push_back(node);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "optimize/certificate/rounding.h"
+
 namespace boxplus::certificate {
 namespace {
 
@@ -47,9 +49,11 @@ Search::Search(const ChordalProblem& problem, StackedPoses start, double toleran
       dual_(problem, resources) {}
 
 bool Search::is_global() const {
-  constexpr double kNegligible = 1e-9;  // noise has an F of about one per row
-  if (cost_ <= kNegligible * problem_.rows) return true;
   return bound_ && cost_ - *bound_ <= tolerance_ * cost_;
+}
+
+double Search::rounding() const {
+  return rounding_of_cost(problem_, poses_);
 }
 
 /// Moves poses of rank d to a minimum, and keeps them if they are the best. Returns whether they are.
@@ -68,7 +72,7 @@ bool Search::has_bound(const StackedPoses& poses) {
   const double cost = problem_.cost(poses);
   const auto gap = dual_.gap(0.5 * tolerance_ * cost_);
   if (!gap) return false;
-  bound_ = std::max({bound_.value_or(0), cost - *gap, 0.0});
+  bound_ = std::max({bound_.value_or(0), cost - *gap - rounding_of_cost(problem_, poses), 0.0});
   return true;
 }
 
@@ -116,12 +120,13 @@ void Search::run(int max_escapes, const std::function<StackedPoses()>& other_sta
   StackedPoses poses = poses_;
   settle(poses);
   has_bound(poses_);
-  if (!is_global() && other_start && max_escapes > 0) {
+  const auto is_over = [&] { return is_global() || cost_ <= rounding(); };
+  if (!is_over() && other_start && max_escapes > 0) {
     ++escapes_;
     poses = other_start();
     if (settle(poses)) has_bound(poses_);
   }
-  while (!is_global() && escapes_ < max_escapes) {
+  while (!is_over() && escapes_ < max_escapes) {
     ++escapes_;
     dual_.update(poses_);
     if (!climb()) break;

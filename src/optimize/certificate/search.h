@@ -15,12 +15,14 @@ class Search {
  public:
   Search(const ChordalProblem& problem, StackedPoses start, double tolerance, const Resources& resources);
 
-  /// Ends when F is within `tolerance` of the bound, or after `max_escapes` escapes. The first escape is a
-  /// run from `other_start()`, if it is not empty. All others climb the staircase. Throws Stopped; what was
-  /// found until then remains.
+  /// Ends when F is within `tolerance` of the bound or only a rounding error, or after `max_escapes` escapes.
+  /// The first escape is a run from `other_start()`, if it is not empty. All others climb the staircase.
+  /// Throws Stopped; what was found until then remains.
   void run(int max_escapes, const std::function<StackedPoses()>& other_start = {});
 
   bool is_global() const;
+  /// How much rounding may change F at the best poses.
+  double rounding() const;
   const StackedPoses& poses() const { return poses_; }
   double cost() const { return cost_; }
   std::optional<double> bound() const { return bound_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/diagnose/camera_views.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -144,7 +145,58 @@ class CameraPool {
   bool inverse_ = false;
 };
 
+using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+detail::Frame inverted(const detail::Frame& pose) {
+  detail::Frame result = pose;
+  const Eigen::Map<const Rotation> R(pose.rotation.data());
+  const Eigen::Map<const Eigen::Vector3d> t(pose.translation.data());
+  Eigen::Map<Rotation>(result.rotation.data()) = R.transpose();
+  Eigen::Map<Eigen::Vector3d>(result.translation.data()) = -(R.transpose() * t);
+  return result;
+}
+
+/// The pose with the coefficients of its quaternion moved on by one place: with w last if it was read as the
+/// first one, or the other way around.
+detail::Frame swapped(const detail::Frame& pose, bool was_first) {
+  detail::Frame result = pose;
+  const Eigen::Quaterniond q(Rotation(Eigen::Map<const Rotation>(pose.rotation.data())));
+  const Eigen::Quaterniond other = was_first ? Eigen::Quaterniond(q.z(), q.w(), q.x(), q.y())
+                                             : Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w());
+  Eigen::Map<Rotation>(result.rotation.data()) = other.toRotationMatrix();
+  return result;
+}
+
+/// The share of points on one side of their cameras if `change` is applied to the poses.
+template <class Change>
+double one_sided_share(const PoolEvidence& edges, const CameraPool& cameras, bool inverse, Change&& change) {
+  std::vector<detail::Frame> poses = cameras.pose_frames();
+  for (detail::Frame& pose : poses) pose = change(pose);
+  const std::vector<detail::Frame> points = cameras.point_frames();
+  std::size_t in_front = 0;
+  for (const std::uint32_t edge : edges.edges)
+    in_front += in_camera(poses[cameras.pose_of(edge)], points[cameras.point_of(edge)], inverse)[2] > 0;
+  return static_cast<double>(std::max(in_front, edges.edges.size() - in_front)) /
+         static_cast<double>(edges.edges.size());
+}
+
+/// Files have either T_world_camera or T_camera_world.
+void read_otherwise(const PoolEvidence& edges, const CameraPool& cameras, CameraViews& views) {
+  views.one_sided_if_inverse =
+      one_sided_share(edges, cameras, !cameras.inverse(), [](const auto& x) { return x; });
+  for (const bool is_inverse_in_file : {false, true}) {
+    for (const bool was_first : {false, true}) {
+      const auto change = [&](const detail::Frame& pose) {
+        return swapped(is_inverse_in_file == cameras.inverse() ? pose : inverted(pose), was_first);
+      };
+      views.one_sided_if_swapped =
+          std::max(views.one_sided_if_swapped, one_sided_share(edges, cameras, is_inverse_in_file, change));
+    }
+  }
+}
+
 CameraViews views_of(const PoolEvidence& edges, const CameraPool& cameras) {
+  constexpr double kFarOff = 1e4;  // chi2
   const std::vector<detail::Frame> poses = cameras.pose_frames(), points = cameras.point_frames();
   CameraViews views;
   views.point_pool = cameras.point_pool();
@@ -165,6 +217,8 @@ CameraViews views_of(const PoolEvidence& edges, const CameraPool& cameras) {
     views.nearest[slot] = std::min(views.nearest[slot], distance);
     distances.push_back(distance);
   }
+  for (const double chi2 : edges.chi2) views.edges_far_off += !(chi2 <= kFarOff);
+  if (2 * views.edges_far_off > edges.edges.size()) read_otherwise(edges, cameras, views);
   views.edges = distances.size();
   if (distances.empty()) return views;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
@@ -174,6 +228,11 @@ CameraViews views_of(const PoolEvidence& edges, const CameraPool& cameras) {
 }
 
 }  // namespace
+
+double one_sided_share(const CameraViews& views) {
+  const double share = static_cast<double>(views.edges_in_front) / static_cast<double>(views.edges);
+  return std::max(share, 1 - share);
+}
 
 std::vector<CameraViews> find_camera_views(const Evidence& evidence) {
   constexpr std::size_t kFewest = 10;

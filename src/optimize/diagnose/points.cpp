@@ -15,6 +15,36 @@ const char* them(const Finding& finding) {
   return by_count(finding.vertices.size(), "it", "them");
 }
 
+/// The finding that the poses of the cameras were probably read in a wrong way.
+Finding misread_poses(const CameraViews& views) {
+  constexpr double kFits = 0.98;
+  const auto percent = [](double share) { return 100 * share; };
+  Finding finding;
+  finding.severity = Finding::Severity::kWarning;
+  finding.text = fmt::format(
+      "{:.0f} % of the images are more than 100 standard deviations off, and the points are on both sides of "
+      "their cameras, so the poses of the cameras are probably wrong: ",
+      percent(static_cast<double>(views.edges_far_off) / static_cast<double>(views.edges)));
+  if (views.one_sided_if_swapped >= kFits && views.one_sided_if_swapped >= views.one_sided_if_inverse) {
+    finding.text += fmt::format(
+        "with w at the other end of the quaternions, {:.0f} % of the points are on the same side, so check "
+        "whether w comes first or last",
+        percent(views.one_sided_if_swapped));
+  } else if (views.one_sided_if_inverse >= kFits) {
+    finding.text += fmt::format(
+        "with the inverse of the poses, {:.0f} % of the points are on the same side, so check whether they "
+        "are "
+        "from world to camera or from camera to world",
+        percent(views.one_sided_if_inverse));
+  } else {
+    finding.text +=
+        "check whether w comes first or last in the quaternions, and whether the poses are from world to "
+        "camera "
+        "or from camera to world";
+  }
+  return finding;
+}
+
 }  // namespace
 
 /// Cameras look along z or along −z, depending on the model. What most edges say decides.
@@ -22,7 +52,10 @@ void find_points_behind_cameras(const Evidence& evidence, Findings& out) {
   constexpr double kMost = 0.9;  // with a smaller share, the camera may see points on all sides
   for (const CameraViews& views : evidence.cameras) {
     const double share = static_cast<double>(views.edges_in_front) / static_cast<double>(views.edges);
-    if (share < kMost && share > 1 - kMost) continue;
+    if (one_sided_share(views) < kMost) {
+      if (2 * views.edges_far_off > views.edges) out.push_back(misread_poses(views));
+      continue;
+    }
     Finding finding;
     for (std::uint32_t slot = 0; slot < views.seen.size(); ++slot) {
       const std::uint32_t right =

@@ -291,8 +291,10 @@ TEST(ColmapFrames, NameTheLineAndTheColumnOfAnErrorInTheRigs) {
   EXPECT_EQ(complaint("IMU 4 0", "IMU 4 2"),
             "rigs.txt:3:47: expected 1 if the sensor has a pose, otherwise 0, got 2");
   EXPECT_EQ(complaint("IMU 4 0", "IMU 4 0 1"), "rigs.txt:3:49: expected the end of the line, got '1'");
-  EXPECT_EQ(complaint("1 0 0 0 0.5", "0 0 0 0 0.5"),
-            "rigs.txt:3:39: camera 2 of rig 1: expected a quaternion of length 1, got one of length 0");
+  EXPECT_EQ(
+      complaint("1 0 0 0 0.5", "0 0 0 0 0.5"),
+      "rigs.txt:3:25: camera 2 of rig 1: expected a quaternion QW QX QY QZ of length 1 (± 0.001), got one "
+      "of length 0");
 }
 
 TEST(ColmapFrames, NameTheLineAndTheColumnOfAnErrorInTheFrames) {

@@ -63,7 +63,12 @@ TEST(ColmapText, NamesTheLineAndTheColumnOfAnErrorInTheImages) {
   EXPECT_EQ(complaint("6 1 0 0 0", "5 1 0 0 0"),
             "images.txt:8:1: expected the id of a new image, got 5 again");
   EXPECT_EQ(complaint("6 1 0 0 0", "6 0 0 0 0"),
-            "images.txt:8:15: image 6: expected a quaternion of length 1, got one of length 0");
+            "images.txt:8:3: image 6: expected a quaternion QW QX QY QZ of length 1 (± 0.001), got one of "
+            "length 0");
+  EXPECT_THAT(
+      complaint("11 0.8 0 0.6 0 1 2 3", "11 1 2 3 0.8 0 0.6 0"),  // the translation first
+      HasSubstr("images.txt:4:4: image 11: expected a quaternion QW QX QY QZ of length 1 (± 0.001), got "
+                "one of length 3.82"));
   EXPECT_THAT(complaint("0 0.125", "1e200 0.125"), HasSubstr("expected a pose with moderate values"));
 }
 

@@ -78,5 +78,44 @@ TEST(DiagnosePoints, ALidarSeesPointsOnAllSides) {
   EXPECT_THAT(diagnose(graph), Not(HasFinding(Kind::kBehindCameras)));
 }
 
+/// Cameras at about the same place that look in all directions, each at points of its own. `read` is applied
+/// to T_camera_world, as a wrong reader would.
+template <class Read>
+Diagnosis of_misread_cameras(Read&& read) {
+  Graph graph;
+  const PinholeCamera model(500, 500, 320.0, 240.0);
+  for (int k = 0; k < 12; ++k) {
+    const SE3 truth(Vector3(0.1 * k, 0.2, 0.3),
+                    SO3::from_rotation_vector(Vector3(0.4 * k, 0.7 * k, 1 - 0.3 * k)));
+    const auto camera = graph.add_vertex(read(truth.inverse()).inverse());
+    for (int i = 0; i < 6; ++i) {
+      const Vector3 local(3 * std::sin(1.3 * i + k), 3 * std::sin(2.1 * i), 10);
+      graph.add_edge(CalibratedReprojection<PinholeCamera>(model.project(local), model), camera,
+                     graph.add_vertex(Vector3(truth * local)));
+    }
+  }
+  return diagnose(graph);
+}
+
+TEST(DiagnosePoints, NamesQuaternionsWithTheWrongOrder) {
+  const auto w_last_read_as_first = [](const SE3& x) {
+    const SE3::Quaternion q = x.quaternion();
+    return SE3(x.translation(), SE3::Quaternion{q.y, q.z, q.w, q.x});
+  };
+  const Finding finding = only(of_misread_cameras(w_last_read_as_first), Kind::kBehindCameras);
+  EXPECT_EQ(finding.severity, Severity::kWarning);
+  EXPECT_THAT(finding.text, HasSubstr("with w at the other end of the quaternions, 100 % of the points"));
+}
+
+TEST(DiagnosePoints, NamesPosesThatAreTheInverse) {
+  const auto inverse = [](const SE3& x) { return x.inverse(); };
+  const Finding finding = only(of_misread_cameras(inverse), Kind::kBehindCameras);
+  EXPECT_THAT(finding.text, HasSubstr("check whether"));
+}
+
+TEST(DiagnosePoints, CamerasThatAreReadRightAreNotSuspected) {
+  EXPECT_THAT(of_misread_cameras([](const SE3& x) { return x; }), Not(HasFinding(Kind::kBehindCameras)));
+}
+
 }  // namespace
 }  // namespace boxplus
