@@ -30,7 +30,10 @@ export class Chart {
       const place = this.plot?.cursor.idx;
       if (typeof place === "number") this.on_choose(place);
     });
-    new ResizeObserver(() => this.plot?.setSize(this.size())).observe(this.place);
+    new ResizeObserver(() => {
+      // A folded plot keeps its size.
+      if (this.place.clientHeight > 0) this.plot?.setSize(this.size());
+    }).observe(this.place);
   }
 
   /** Marks a place in chi2Sequence(), or none. */
@@ -95,7 +98,7 @@ export class Chart {
   }
 
   private size() {
-    return { width: this.place.clientWidth - 10, height: this.place.clientHeight };
+    return { width: Math.max(1, this.place.clientWidth - 10), height: Math.max(1, this.place.clientHeight) };
   }
 
   private options(): uPlot.Options {
