@@ -10,7 +10,7 @@ const TITLES: Record<LevelColoring, string> = { chi2: "chi2 per row", weight: "R
 const EXPLANATIONS: Record<LevelColoring, string> = {
   chi2: "chi2 of the edge per row of its error, before the kernel; about 1 is expected.",
   weight: "The factor by which the kernel reduces the edge.",
-  verdict: "Whether the last run found the edge false. Choose suspects in Settings, False edges, and optimize.",
+  verdict: "Whether the last run found the edge false. Choose suspects in Settings, Search for false edges, and optimize.",
 };
 
 export class EdgeColors {

@@ -136,7 +136,10 @@ export class TimeLinePanel {
   }
 
   private showTexts({ iteration, frame }: Moment): void {
-    const place = this.last < 1 ? `Iteration ${iteration}` : `Iteration ${iteration} of ${this.line.newest!.iteration}`;
+    const stages = this.model.run?.stages ?? [], stage = stages[iteration - 1];
+    const last = this.line.newest!.iteration - stages.length;
+    const number = Math.max(0, iteration - stages.length);
+    const place = stage ? `Stage: ${stage}` : this.last < 1 || last < 1 ? `Iteration ${number}` : `Iteration ${number} of ${last}`;
     const text = `${place}, chi2 ${general(frame.chi2, CHI2_DIGITS)}`;
     setText(byId("time-text"), text);
     byId("time-text").classList.toggle("past", this.chosen !== null);
