@@ -48,6 +48,8 @@ export class TimeLinePanel {
 
   add(frame: Frame): void {
     this.line.add(frame, this.rows.length);
+    // A page that was reloaded gets the frames of all attempts at once.
+    if (!this.model.isBusy) this.line.settle(this.rows);
     this.show();
   }
 
