@@ -25,6 +25,14 @@ std::optional<Verdict> Verdicts::of(EdgeRef edge) const {
   return found->second;
 }
 
+std::vector<EdgeRef> Verdicts::edges(Verdict verdict) const {
+  std::vector<EdgeRef> edges;
+  for (const auto& [edge, found] : verdicts_) {
+    if (found == verdict) edges.push_back(edge);
+  }
+  return edges;
+}
+
 std::vector<std::uint8_t> verdicts_of_lines(const Graph& graph, const Structure& structure,
                                             const Verdicts& verdicts) {
   std::vector<std::uint8_t> codes;

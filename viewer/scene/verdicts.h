@@ -21,6 +21,8 @@ class Verdicts {
   bool empty() const { return verdicts_.empty(); }
   /// None if the edge was no suspect. O(log n).
   std::optional<Verdict> of(EdgeRef edge) const;
+  /// The suspects with this verdict, sorted.
+  std::vector<EdgeRef> edges(Verdict verdict) const;
 
  private:
   std::vector<std::pair<EdgeRef, Verdict>> verdicts_;  // sorted

@@ -23,6 +23,7 @@ constexpr std::array kCommands{Named<Command::Kind>{"optimize", Command::Kind::k
                                Named<Command::Kind>{"step", Command::Kind::kStep},
                                Named<Command::Kind>{"guess", Command::Kind::kGuess},
                                Named<Command::Kind>{"edit", Command::Kind::kEdit},
+                               Named<Command::Kind>{"remove_false_edges", Command::Kind::kRemoveFalseEdges},
                                Named<Command::Kind>{"covariances", Command::Kind::kCovariances},
                                Named<Command::Kind>{"reset", Command::Kind::kReset},
                                Named<Command::Kind>{"stop", Command::Kind::kStop}};

@@ -12,7 +12,16 @@
 namespace boxplus::viewer {
 
 struct Command {
-  enum class Kind : std::uint8_t { kOptimize, kStep, kGuess, kEdit, kCovariances, kReset, kStop };
+  enum class Kind : std::uint8_t {
+    kOptimize,
+    kStep,
+    kGuess,
+    kEdit,
+    kRemoveFalseEdges,
+    kCovariances,
+    kReset,
+    kStop
+  };
   Kind kind;
   Settings settings = {};       ///< of kOptimize and kStep
   std::string start = {};       ///< of kGuess

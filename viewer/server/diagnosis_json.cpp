@@ -64,7 +64,7 @@ Json only_element(const Graph& graph, const Finding& finding) {
 }  // namespace
 
 std::string diagnosis_json(const Graph& graph, const Structure& structure, const Diagnosis& diagnosis,
-                           std::uint64_t structure_number) {
+                           std::uint64_t structure_number, std::size_t left_out) {
   Json findings = Json::array();
   for (const Finding& finding : diagnosis.findings) {
     if (findings.size() == kMostFindings) break;
@@ -75,8 +75,10 @@ std::string diagnosis_json(const Graph& graph, const Structure& structure, const
                         {"vertices", marked_vertices(graph, structure, finding)},
                         {"edges", marked_edges(structure, finding)}});
   }
-  const Json json = {
-      {"structure", structure_number}, {"count", diagnosis.findings.size()}, {"findings", findings}};
+  const Json json = {{"structure", structure_number},
+                     {"count", diagnosis.findings.size()},
+                     {"findings", findings},
+                     {"left_out", left_out}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -198,6 +198,23 @@ Message frame_message(const FrameFacts& facts, const Structure& structure, const
   return message.make(MessageKind::kFrame);
 }
 
+Message frame_of_iteration(const std::string& frame, int iteration) {
+  constexpr std::size_t kBegin = 3 * sizeof(std::uint32_t);  // of the header
+  std::uint32_t size = 0;
+  std::memcpy(&size, frame.data() + 2 * sizeof(std::uint32_t), sizeof size);
+  Json json = Json::parse(frame.substr(kBegin, size));
+  json["iteration"] = iteration;
+  std::string header = json.dump();
+  pad(header, ' ');
+  auto text = std::make_shared<std::string>();
+  append(*text, static_cast<std::uint32_t>(frame.size() - kBegin - size + sizeof size + header.size()));
+  append(*text, static_cast<std::uint32_t>(MessageKind::kFrame));
+  append(*text, static_cast<std::uint32_t>(header.size()));
+  *text += header;
+  text->append(frame, kBegin + size);
+  return text;
+}
+
 Message truth_message(std::uint64_t structure, const TruthFacts& facts, const TruthPlaces& places) {
   ArrayMessage message({{"structure", structure},
                         {"name", facts.name},

@@ -61,6 +61,9 @@ Message frame_message(const FrameFacts& facts, const Structure& structure, const
                       const Errors& errors, const Uncertainty& uncertainty = {},
                       const std::optional<TruthFit>& truth = {});
 
+/// The same frame as that of another iteration.
+Message frame_of_iteration(const std::string& frame, int iteration);
+
 /// `structure` is the number of the structure to which the places belong.
 Message truth_message(std::uint64_t structure, const TruthFacts& facts, const TruthPlaces& places);
 

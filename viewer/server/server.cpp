@@ -110,6 +110,8 @@ void carry_out(const Command& command, Workspace& workspace) {
       return workspace.guess(command.start);
     case Command::Kind::kEdit:
       return workspace.edit(command.structure, command.edit);
+    case Command::Kind::kRemoveFalseEdges:
+      return workspace.remove_false_edges();
     case Command::Kind::kCovariances:
       return workspace.covariances();
     case Command::Kind::kReset:

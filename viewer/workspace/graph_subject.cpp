@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -16,16 +18,46 @@
 
 namespace boxplus::viewer {
 
+namespace {
+
+/// The report of a run that was stopped early has no chi2.
+bool has_chi2(const Report& report) {
+  const bool is_stopped =
+      report.reason == Report::Reason::kStopFlag || report.reason == Report::Reason::kTimeLimit;
+  return !is_stopped || std::isfinite(report.chi2_initial);
+}
+
+std::size_t count(const Report& report, Verdict verdict) {
+  return static_cast<std::size_t>(std::ranges::count(report.verdicts, verdict, &EdgeVerdict::verdict));
+}
+
+std::string counted(std::size_t number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+}  // namespace
+
 Outcome outcome_of(const Report& report) {
-  const std::string text = to_string(report);
-  return {.status = std::string(to_string(report.status)),
-          .headline = text.substr(0, text.find('\n')),
-          .summary = text,
-          .reason = report.message,
-          .converged = report.converged(),
-          .chi2 = report.chi2_final,
-          .rows = report.records,
-          .verdicts = report.verdicts};
+  Outcome outcome{.status = std::string(to_string(report.status)),
+                  .headline = {},
+                  .summary = to_string(report),
+                  .reason = report.message,
+                  .converged = report.converged(),
+                  .chi2 = report.chi2_final,
+                  .rows = report.records,
+                  .verdicts = report.verdicts,
+                  .false_edges = count(report, Verdict::kOutlier),
+                  .chi2_per_degree = report.chi2_per_degree(),
+                  .degrees_of_freedom = report.degrees_of_freedom};
+  if (!has_chi2(report))
+    outcome.summary =
+        fmt::format("{}: stopped before chi2 was computed; the estimates are unchanged", outcome.status);
+  outcome.headline = outcome.summary.substr(0, outcome.summary.find('\n'));
+  if (report.start.used != Start::kCurrent && !report.records.empty()) {
+    outcome.start = to_string(report.start.used);
+    outcome.chi2_start = report.start.chi2_guess;
+  }
+  return outcome;
 }
 
 GraphSubject::GraphSubject(GraphFile file, std::string name)
@@ -55,7 +87,9 @@ Subject::Facts GraphSubject::facts() const {
 Message GraphSubject::form() const {
   std::vector<FormatName> formats;
   for (const FileFormat& format : default_formats().all()) {
-    if (format.can_write() && !format.is_folder()) formats.push_back({format.name, format.extension});
+    const bool is_suitable = format.name != "bal" || structure_.is_bundle;
+    if (is_suitable && format.can_write() && !format.is_folder())
+      formats.push_back({format.name, format.extension});
   }
   return form_message(formats, setting_table(), [this](const Setting& setting, std::string_view word) {
     return why_unsuitable(*graph_, setting, word);
@@ -120,6 +154,20 @@ std::string GraphSubject::edit(const Edit& edit) {
   return apply(edit, *graph_, structure_);
 }
 
+std::string GraphSubject::remove_false_edges() {
+  if (!own_) throw InvalidArgument("the graph is that of a program, so pages cannot edit it");
+  const std::vector<EdgeRef> edges = verdicts_.edges(Verdict::kOutlier);
+  if (edges.empty()) throw InvalidArgument("the last run found no false edges");
+  std::size_t removed = 0;
+  for (const EdgeRef edge : edges) {
+    if (!graph_->contains(edge)) continue;
+    graph_->remove(edge);
+    ++removed;
+  }
+  verdicts_ = {};
+  return fmt::format("{} {} removed", counted(removed, "false edge"), removed == 1 ? "is" : "are");
+}
+
 void GraphSubject::check(const Settings& settings) const {
   std::ignore = run_settings(settings);
   for (const Setting& setting : setting_table()) {
@@ -132,7 +180,77 @@ void GraphSubject::check(const Settings& settings) const {
 }
 
 Outcome GraphSubject::run(const Settings& settings, Listener& listener) {
-  return outcome(optimize(run_settings(settings), listener, true));
+  const RunSettings chosen = run_settings(settings);
+  if (chosen.options.outliers) return search(chosen, listener);
+  return outcome(
+      optimize(chosen, listener, [&](const IterationRecord& record) { return listener.note(record); }));
+}
+
+/// Shows the stages of a search for false edges as rows before the iterations of the last run, which begins
+/// where the search ends: often at the minimum.
+Outcome GraphSubject::search(RunSettings settings, Listener& listener) {
+  const double chi2_before = graph_->chi2();
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<IterationRecord> stages;
+  try_odometry(settings, chi2_before, listener, stages);
+  const auto note_search = [&](double chi2) {
+    const double before = stages.empty() ? chi2_before : stages.back().chi2;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    stages.push_back({.iteration = static_cast<int>(stages.size()) + 1,
+                      .chi2 = chi2,
+                      .chi2_decrease = before - chi2,
+                      .time_s = time.count()});
+    listener.note_stage("search", stages.back());
+  };
+  bool is_searching = true;
+  const auto shifted = [&](IterationRecord record) {
+    record.iteration += static_cast<int>(stages.size());
+    record.time_s += stages.back().time_s;
+    return record;
+  };
+  const Report report = optimize(settings, listener, [&](const IterationRecord& record) {
+    if (std::exchange(is_searching, false)) note_search(record.chi2 + record.chi2_decrease);
+    return listener.note(shifted(record));
+  });
+  Outcome result = outcome(report);
+  if (is_searching) note_search(std::isfinite(report.chi2_initial) ? report.chi2_initial : result.chi2);
+  std::ranges::transform(result.rows, result.rows.begin(), shifted);
+  result.rows.insert(result.rows.begin(), stages.begin(), stages.end());
+  result.stages =
+      stages.size() > 1 ? std::vector<std::string>{"odometry", "search"} : std::vector<std::string>{"search"};
+  if (!has_chi2(report)) return result;
+  const std::size_t undecided = count(report, Verdict::kUndecided);
+  result.headline = fmt::format("{}: chi2 {:.9g} → {:.9g} without {}{}", result.status, chi2_before,
+                                result.chi2, counted(result.false_edges, "false edge"),
+                                undecided > 0 ? fmt::format(" ({} of {} undecided)", undecided,
+                                                            counted(report.verdicts.size(), "suspect"))
+                                              : "");
+  result.summary = fmt::format("{}\n\nThe last run, after the search:\n{}", result.headline, result.summary);
+  return result;
+}
+
+/// The search begins with the odometry, if there is any: it is the first stage. The estimates stay.
+void GraphSubject::try_odometry(const RunSettings& settings, double chi2_before, Listener& listener,
+                                std::vector<IterationRecord>& stages) {
+  RunSettings guess = settings;
+  guess.options.outliers.reset();
+  guess.options.start = Start::kOdometry;
+  guess.options.max_iterations = 0;
+  graph_->push();
+  try {
+    const Report report = optimize(guess, listener, {});
+    if (report.start.used == Start::kOdometry && std::isfinite(report.chi2_final)) {
+      stages.push_back({.iteration = 1,
+                        .chi2 = report.chi2_final,
+                        .chi2_decrease = chi2_before - report.chi2_final,
+                        .time_s = report.time.total_s});
+      listener.note_stage("odometry", stages.back());
+    }
+  } catch (...) {
+    graph_->pop();
+    throw;
+  }
+  graph_->pop();
 }
 
 Outcome GraphSubject::step(const Settings& settings, Listener& listener) {
@@ -140,13 +258,14 @@ Outcome GraphSubject::step(const Settings& settings, Listener& listener) {
   one.options.start = Start::kCurrent;
   one.options.max_iterations = 1;
   one.options.outliers.reset();  // a search for outliers has no single steps
-  return outcome(optimize(one, listener, true));
+  return outcome(
+      optimize(one, listener, [&](const IterationRecord& record) { return listener.note(record); }));
 }
 
 bool GraphSubject::guess(const std::string& start, Listener& listener) {
   RunSettings settings = run_settings({{"start", start}});
   settings.options.max_iterations = 0;
-  const Report report = optimize(settings, listener, false);
+  const Report report = optimize(settings, listener, {});
   if (report.start.used == settings.options.start) {
     listener.log("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used),
                                      outcome(report).chi2));
@@ -171,9 +290,15 @@ void GraphSubject::drop_estimates() {
 std::string GraphSubject::diagnosis(std::uint64_t structure, const std::atomic<bool>& stop) const {
   Options options;
   options.stop = &stop;
+  // Otherwise, the false edges pull at the minimum that was found without them.
+  const std::vector<EdgeRef> all = graph_->all_edges();
+  std::ranges::copy_if(all, std::back_inserter(options.edges),
+                       [&](EdgeRef edge) { return verdicts_.of(edge) != Verdict::kOutlier; });
+  const std::size_t left_out = all.size() - options.edges.size();
+  if (left_out == 0) options.edges.clear();
   const Diagnosis diagnosis = diagnose(*graph_, options);
   if (!diagnosis.is_complete) throw InvalidArgument("the diagnosis was stopped");
-  return diagnosis_json(*graph_, structure_, diagnosis, structure);
+  return diagnosis_json(*graph_, structure_, diagnosis, structure, left_out);
 }
 
 Message GraphSubject::pattern(const std::atomic<bool>& stop) const {
@@ -203,11 +328,11 @@ void GraphSubject::log_notes(Listener& listener) const {
   }
 }
 
-Report GraphSubject::optimize(const RunSettings& settings, Listener& listener, bool is_shown) {
+Report GraphSubject::optimize(const RunSettings& settings, Listener& listener, const Callback& callback) {
   set_kernels(settings, listener);
   Options options = settings.options;
   options.stop = &listener.stop_flag();
-  if (is_shown) options.callback = [&](const IterationRecord& record) { return listener.note(record); };
+  options.callback = callback;
   if (optimizer_) {
     optimizer_->set_options(std::move(options));
   } else {
@@ -223,13 +348,10 @@ void GraphSubject::note_verdicts(const Report& report, Listener& listener) {
   verdicts_ = Verdicts(report.verdicts);
   if (!report.outlier_note.empty()) listener.log("warning", report.outlier_note);
   if (report.verdicts.empty()) return;
-  const auto count = [&](Verdict verdict) {
-    return std::ranges::count(report.verdicts, verdict, &EdgeVerdict::verdict);
-  };
-  listener.log("info",
-               fmt::format("{} of {} suspected edges are false, and {} are undecided; color edges by "
-                           "verdict to see them",
-                           count(Verdict::kOutlier), report.verdicts.size(), count(Verdict::kUndecided)));
+  listener.log("info", fmt::format("{} of {} suspected edges are false, and {} are undecided; color edges by "
+                                   "verdict to see them",
+                                   count(report, Verdict::kOutlier), report.verdicts.size(),
+                                   count(report, Verdict::kUndecided)));
 }
 
 /// The report has no chi2 if the run was stopped before it evaluated chi2.

@@ -39,6 +39,7 @@ class GraphSubject final : public Subject {
   std::string describe(const ElementName& name, std::uint64_t structure) const override;
   /// Refused if the graph is that of a program, because the program does not expect it.
   std::string edit(const Edit& edit) override;
+  std::string remove_false_edges() override;
   void check(const Settings& settings) const override;
   Outcome run(const Settings& settings, Listener& listener) override;
   Outcome step(const Settings& settings, Listener& listener) override;
@@ -58,7 +59,11 @@ class GraphSubject final : public Subject {
   void log_notes(Listener& listener) const;
 
  private:
-  Report optimize(const RunSettings& settings, Listener& listener, bool is_shown);
+  using Callback = std::function<bool(const IterationRecord&)>;
+  Report optimize(const RunSettings& settings, Listener& listener, const Callback& callback);
+  Outcome search(RunSettings settings, Listener& listener);
+  void try_odometry(const RunSettings& settings, double chi2_before, Listener& listener,
+                    std::vector<IterationRecord>& stages);
   Outcome outcome(const Report& report) const;
   Message frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const;
   void set_kernels(const RunSettings& settings, Listener& listener);

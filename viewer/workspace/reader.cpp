@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a reader of a workspace gets: the state as JSON, and the messages that are new to it.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -17,11 +18,21 @@ Json row_json(const IterationRecord& record) {
 }
 
 /// Returns the items from `first` as an array.
-template <class T, class F>
-Json news_of(const std::vector<T>& items, std::size_t first, F&& json) {
+template <class Items, class F>
+Json news_of(const Items& items, std::size_t first, F&& json) {
   Json news = Json::array();
   for (std::size_t k = first; k < items.size(); ++k) news.push_back(json(items[k]));
   return news;
+}
+
+/// Numbers that are not finite become null.
+void add_facts(Json& run, const Outcome& outcome) {
+  run["stages"] = outcome.stages;
+  run["start"] =
+      outcome.start.empty() ? Json(nullptr) : Json{{"name", outcome.start}, {"chi2", outcome.chi2_start}};
+  run["chi2_per_degree"] = outcome.chi2_per_degree;
+  run["degrees_of_freedom"] = outcome.degrees_of_freedom;
+  run["false_edges"] = outcome.false_edges;
 }
 
 }  // namespace
@@ -46,7 +57,7 @@ std::vector<Message> Workspace::Reader::wait(std::chrono::milliseconds patience)
   greeting_.clear();
   run_ = w.run_number_;
   rows_ = w.rows_.size();
-  lines_ = w.log_.size();
+  lines_ = w.first_line_ + w.log_.size();
   if (std::exchange(structure_, w.structure_number_) != w.structure_number_) {
     messages.push_back(w.form_message_);
     messages.push_back(w.structure_message_);
@@ -54,6 +65,7 @@ std::vector<Message> Workspace::Reader::wait(std::chrono::milliseconds patience)
   // A structure ends the truth before it.
   if (std::exchange(truth_, w.truth_number_) != w.truth_number_ && w.truth_message_)
     messages.push_back(w.truth_message_);
+  if (frame_ == 0) messages.insert(messages.end(), w.history_.frames().begin(), w.history_.frames().end());
   if (std::exchange(frame_, w.sequence_) != w.sequence_) messages.push_back(w.frame_message_);
   if (std::exchange(diagnosis_, w.diagnosis_number_) != w.diagnosis_number_ && w.diagnosis_message_)
     messages.push_back(w.diagnosis_message_);
@@ -97,12 +109,15 @@ std::string Workspace::Reader::state_json() const {
     state["run"] = {
         {"number", w.run_number_}, {"first_row", first},      {"rows", news_of(w.rows_, first, row_json)},
         {"status", w.status_},     {"headline", w.headline_}, {"summary", w.summary_}};
+    add_facts(state["run"], w.facts_of_run_);
   } else {
     state["run"] = nullptr;
   }
-  state["log"] = {{"first", lines_}, {"lines", news_of(w.log_, lines_, [](const Line& line) {
-                                        return Json{{"level", line.level}, {"text", line.text}};
-                                      })}};
+  const std::size_t first_line = std::max(lines_, w.first_line_);
+  state["log"] = {{"first", first_line},
+                  {"lines", news_of(w.log_, first_line - w.first_line_, [](const Line& line) {
+                     return Json{{"level", line.level}, {"text", line.text}};
+                   })}};
   // Names and notes may contain bytes of the file that are not valid UTF-8.
   return state.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

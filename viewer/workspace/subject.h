@@ -5,10 +5,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "boxplus/base/error.h"
 #include "boxplus/optimize/outliers.h"
 #include "boxplus/optimize/report.h"
 #include "viewer/server/messages.h"
@@ -23,6 +25,8 @@ class Listener {
   virtual ~Listener() = default;
   /// Call it after each iteration. If it returns false, the run must stop.
   virtual bool note(const IterationRecord& record) = 0;
+  /// Call it after a stage of a search for false edges. Stages come before the iterations, and count as rows.
+  virtual void note_stage(const std::string& /*name*/, const IterationRecord& record) { note(record); }
   /// Adds a line to the log. `level` is "info", "warning" or "error".
   virtual void log(const char* level, std::string text) = 0;
   /// Becomes true if the work must stop.
@@ -39,6 +43,12 @@ struct Outcome {
   double chi2 = 0;
   std::vector<IterationRecord> rows = {};  ///< all that belong to the result
   std::vector<EdgeVerdict> verdicts = {};  ///< if the run looked for false edges
+  std::vector<std::string> stages = {};    ///< names of the first rows, if they are no iterations
+  std::size_t false_edges = 0;             ///< that the run found, and that are still in the graph
+  std::string start = {};  ///< the initial guess before the first row; empty: the estimates before the run
+  double chi2_start = 0;   ///< of this guess
+  double chi2_per_degree = std::numeric_limits<double>::quiet_NaN();  ///< NaN if it is not known
+  std::int64_t degrees_of_freedom = 0;
 };
 
 /// A graph with its optimizer. One thread at a time calls its functions.
@@ -77,6 +87,8 @@ class Subject {
   /// Changes the graph, and returns what was done. Throws InvalidArgument, and changes nothing, if this is
   /// impossible.
   virtual std::string edit(const Edit& edit) = 0;
+  /// Removes the edges that the last run found false, and returns what was done. Throws like edit().
+  virtual std::string remove_false_edges() { throw InvalidArgument("this graph has no false edges"); }
 
   /// Throws InvalidArgument if a setting is unknown or has a wrong value.
   virtual void check(const Settings& settings) const = 0;

@@ -37,6 +37,8 @@ void Workspace::work() {
       failure = "not enough memory";
     } catch (const std::exception& error) {
       failure = error.what();
+    } catch (...) {
+      failure = kUnknownException;
     }
     if (!failure.empty()) {
       log("error", failure);
@@ -130,6 +132,10 @@ void Workspace::begin_run() {
   has_run_ = true;
   ++run_number_;
   rows_.clear();
+  facts_of_run_ = {};
+  history_.clear();
+  if (frame_facts_.structure == structure_number_) history_.add(frame_of_iteration(*frame_message_, 0));
+  is_first_frame_ = true;
   status_ = kRunning;
   headline_.clear();
   summary_.clear();
@@ -186,6 +192,15 @@ bool Workspace::note(const IterationRecord& record) {
   return true;
 }
 
+void Workspace::note_stage(const std::string& name, const IterationRecord& record) {
+  {
+    const std::lock_guard lock(mutex_);
+    facts_of_run_.stages.push_back(name);
+  }
+  next_frame_ = {};  // a stage is always shown
+  note(record);
+}
+
 void Workspace::set_chi2(double chi2) {
   const std::lock_guard lock(mutex_);
   chi2_ = chi2;
@@ -199,6 +214,9 @@ void Workspace::finish(const Outcome& outcome) {
     status_ = outcome.status;
     headline_ = outcome.headline;
     summary_ = outcome.summary;
+    facts_of_run_ = outcome;
+    facts_of_run_.rows.clear();
+    facts_of_run_.verdicts.clear();
     has_run_ = true;
     ++run_number_;  // the kept rows replace those that the readers have
   }
@@ -209,6 +227,10 @@ void Workspace::finish(const Outcome& outcome) {
 void Workspace::log(const char* level, std::string text) {
   const std::lock_guard lock(mutex_);
   log_.push_back({level, std::move(text)});
+  if (log_.size() > kMostLines) {
+    log_.pop_front();
+    ++first_line_;
+  }
   ++version_;
   has_news_.notify_all();
 }
@@ -226,10 +248,22 @@ void Workspace::update_structure() {
   truth_message_ = truth;
   ++truth_number_;
   facts_ = subject_->facts();
+  history_.clear();  // its frames belong to another structure
+}
+
+/// Keeps the newest frame before another one replaces it. A frame of iteration 0 begins anew.
+void Workspace::keep_in_history(int iteration) {
+  const std::lock_guard lock(mutex_);
+  if (iteration == 0) history_.clear();
+  // The frame before a run is in the history already.
+  if (std::exchange(is_first_frame_, false)) return;
+  if (frame_facts_.iteration < iteration && frame_facts_.structure == structure_number_)
+    history_.add(frame_message_);
 }
 
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
   update_structure();
+  keep_in_history(iteration);
   outdate_diagnosis(DiagnosisAge::kOtherEstimates);
   frame_facts_ = {structure_number_, frame_facts_.sequence + 1, iteration, chi2};
   publish(subject_->frame(frame_facts_, at_rest));

@@ -11,6 +11,22 @@ constexpr const char* kHeld = "the graph is in the hands of its program";
 constexpr const char* kOutdated = "the graph has changed, so choose again";
 constexpr const char* kNoGraph = "there is no graph: open a file first";
 
+/// Does the work. What a function of the user throws becomes an InvalidArgument.
+template <class F>
+auto translated(F&& work) {
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InvalidArgument("not enough memory");
+  } catch (const std::exception& error) {
+    throw InvalidArgument(error.what());
+  } catch (...) {
+    throw InvalidArgument(kUnknownException);
+  }
+}
+
 }  // namespace
 
 Workspace::Workspace(Opener opener) : opener_(std::move(opener)) {
@@ -91,7 +107,17 @@ void Workspace::edit(std::uint64_t structure, const Edit& edit) {
     ++edits_;
     outdate_diagnosis(DiagnosisAge::kOtherGraph);
     update_structure();
-    leave_run(subject_->chi2());
+    leave_run(translated([&] { return subject_->chi2(); }));
+  });
+}
+
+void Workspace::remove_false_edges() {
+  work_here(true, "editing", [&] {
+    log("info", subject_->remove_false_edges());
+    ++edits_;
+    outdate_diagnosis(DiagnosisAge::kOtherGraph);
+    update_structure();
+    leave_run(translated([&] { return subject_->chi2(); }));
   });
 }
 
@@ -100,13 +126,13 @@ std::string Workspace::describe(std::uint64_t structure, const ElementName& name
   if (is_busy_) throw Busy(is_held_ ? kHeld : kBusy);
   if (!subject_) throw InvalidArgument(kNoGraph);
   if (structure != structure_number_) throw InvalidArgument(kOutdated);
-  return subject_->describe(name, structure);
+  return translated([&] { return subject_->describe(name, structure); });
 }
 
 std::string Workspace::diagnosis() {
   std::string diagnosis;
   work_here(true, "diagnosing", [&] {
-    diagnosis = subject_->diagnosis(structure_number_, stop_);
+    diagnosis = translated([&] { return subject_->diagnosis(structure_number_, stop_); });
     set_diagnosis(make_message(MessageKind::kDiagnosis, diagnosis));
   });
   return diagnosis;
@@ -115,11 +141,13 @@ std::string Workspace::diagnosis() {
 Message Workspace::pattern() {
   Message pattern;
   work_here(true, "computing the pattern", [&] {
-    try {
-      pattern = subject_->pattern(stop_);
-    } catch (const Stopped&) {
-      throw InvalidArgument("the computation of the pattern was stopped");
-    }
+    pattern = translated([&] {
+      try {
+        return subject_->pattern(stop_);
+      } catch (const Stopped&) {
+        throw InvalidArgument("the computation of the pattern was stopped");
+      }
+    });
   });
   return pattern;
 }

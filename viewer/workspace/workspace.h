@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,7 @@
 
 #include "boxplus/base/error.h"
 #include "viewer/server/messages.h"
+#include "viewer/workspace/frame_history.h"
 #include "viewer/workspace/graph_subject.h"
 
 namespace boxplus::viewer {
@@ -24,6 +26,10 @@ namespace boxplus::viewer {
 class Busy : public InvalidArgument {
   using InvalidArgument::InvalidArgument;
 };
+
+/// The text about an exception of a function of the user that says nothing itself.
+inline constexpr const char* kUnknownException =
+    "an error function threw something that is no std::exception";
 
 /// Owns a subject and one worker thread, which optimizes it. Commands come from any thread and return at
 /// once. Any number of readers on other threads get the messages of PROTOCOL.md. A slow reader misses frames;
@@ -77,6 +83,10 @@ class Workspace final : private Listener {
   /// Changes the graph, and evaluates it. `structure` is the number of the structure to which the element
   /// belongs. Throws as describe() and Subject::edit() do, and then nothing has changed.
   void edit(std::uint64_t structure, const Edit& edit);
+
+  /// Removes the edges that the last run found false, and evaluates the graph. Throws Busy while a command is
+  /// carried out, and InvalidArgument if there are no such edges, or if the graph is that of a program.
+  void remove_false_edges();
 
   /// Returns what there is to say about a vertex or an edge, as JSON. Throws Busy while a command is carried
   /// out, and InvalidArgument if there is no graph, if its structure has another number, or if it has no such
@@ -147,8 +157,12 @@ class Workspace final : private Listener {
   };
 
   bool note(const IterationRecord& record) override;
+  void note_stage(const std::string& name, const IterationRecord& record) override;
   void log(const char* level, std::string text) override;
   const std::atomic<bool>& stop_flag() const override { return stop_; }
+
+  /// Older lines leave the log.
+  static constexpr std::size_t kMostLines = 1000;
 
   static constexpr const char* kRunning = "running";  ///< Outcome::status before the end of a run
 
@@ -173,6 +187,7 @@ class Workspace final : private Listener {
   void make_guess(const std::string& start);
   void restore();
   void leave_run(double chi2);
+  void keep_in_history(int iteration);
   void set_chi2(double chi2);
   void finish(const Outcome& outcome);
   void update_structure();
@@ -210,7 +225,11 @@ class Workspace final : private Listener {
   bool has_run_ = false;
   std::string status_, headline_, summary_;
   std::vector<IterationRecord> rows_;
-  std::vector<Line> log_;
+  Outcome facts_of_run_;         // its stages during a run; what the state has in common with it at the end
+  FrameHistory history_;         // of the run, without the newest frame
+  bool is_first_frame_ = false;  // the newest frame is that before the run
+  std::deque<Line> log_;
+  std::size_t first_line_ = 0;  // the number of the first line in log_
 
   std::thread worker_;
 };

@@ -11,6 +11,7 @@ import { Display } from "./panels/display";
 import { byId, setText } from "./panels/dom";
 import { ElementPanel } from "./panels/element";
 import { Files } from "./panels/files";
+import { makeFoldable } from "./panels/fold";
 import { Guess } from "./panels/guess";
 import { Iterations } from "./panels/iterations";
 import { Log } from "./panels/log";
@@ -51,6 +52,7 @@ function main(): void {
   const time_line = view && new TimeLinePanel(model, view, chart, truth_errors);
   new TopBar(model);
   new Tabs();
+  makeFoldable("chart");
   window.boxplus = { model, view, time_line };
   const show = (message: Message) => receive(message, { model, view, time_line, truth_errors });
   const shortcuts = shortcutGroups(tools, time_line);

@@ -2,7 +2,7 @@
 // What the page knows: the server's newest state, with the rows and log lines that came in parts. The page never invents
 // any of it.
 import type { ConnectionState } from "./protocol/connection";
-import type { Form, IterationRow, LogLine, RunMessage, StateMessage } from "./protocol/messages";
+import type { Form, IterationRow, LogLine, MaybeNumber, RunMessage, StateMessage } from "./protocol/messages";
 
 /** Older lines of the log leave the page. */
 const MOST_LOG_LINES = 5000;
@@ -16,6 +16,19 @@ export interface Run {
   status: string;
   headline: string;
   summary: string;
+  stages: string[];
+  start: { name: string; chi2: MaybeNumber } | null;
+  chi2_per_degree: MaybeNumber;
+  degrees_of_freedom: number;
+  false_edges: number;
+}
+
+/** chi2 per degree of freedom above which the Ω and the errors do not fit together, with enough degrees of freedom. */
+const MOST_CHI2_PER_DEGREE = 4, LEAST_DEGREES = 10;
+
+/** True if chi2 is far above what the noise explains. Then the result may be wrong, although it is a minimum. */
+export function fitsPoorly({ chi2_per_degree, degrees_of_freedom }: Run): boolean {
+  return degrees_of_freedom >= LEAST_DEGREES && chi2_per_degree !== null && chi2_per_degree > MOST_CHI2_PER_DEGREE;
 }
 
 export class Model {
@@ -89,8 +102,9 @@ export class Model {
 
 function mergedRun(known: Run | null, message: RunMessage, id: number): Run {
   const kept = known?.number === message.number ? known.rows.slice(0, message.first_row) : [];
-  const { number, status, headline, summary } = message;
-  return { id, number, status, headline, summary, rows: kept.concat(message.rows) };
+  const { number, status, headline, summary, stages = [], start = null, chi2_per_degree = null, degrees_of_freedom = 0, false_edges = 0 } = message;
+  const facts = { stages, start, chi2_per_degree, degrees_of_freedom, false_edges };
+  return { id, number, status, headline, summary, rows: kept.concat(message.rows), ...facts };
 }
 
 /** The number grows by one when a run ends, begins anew from another start, and when the next run begins. */

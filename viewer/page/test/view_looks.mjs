@@ -6,7 +6,8 @@ import { dataFile, fail, openPage, runTest, step, waitForStatus } from "./suppor
 import { contrast } from "./unit/colors.mjs";
 
 /** Width, height and pixels per unit of length. */
-const WINDOWS = [[900, 600, 1], [1280, 720, 1], [1280, 720, 2], [3840, 2160, 1]];
+const WINDOWS = [[420, 800, 1], [900, 600, 1], [1024, 640, 1], [1280, 720, 1], [1280, 720, 2], [3840, 2160, 1]];
+const LEAST_TAB = 0.3;
 const LEAST_TEXT = 4.5, LEAST_BORDER = 3;
 
 await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
@@ -22,6 +23,11 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
       await step(`${where}, no control is outside of the window or covered`, async () => {
         const hidden = await page.evaluate(hiddenControls);
         if (hidden.length > 0) fail(hidden.join(", "));
+      });
+
+      await step(`${where}, the tabs have at least 30 % of the height`, async () => {
+        const { height: tab_height } = await page.locator("#display").boundingBox();
+        if (tab_height < LEAST_TAB * height) fail(`they have ${tab_height} of ${height} pixels`);
       });
 
       for (const tab of ["display", "settings", "iterations", "log", "element"]) {

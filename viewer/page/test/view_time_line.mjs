@@ -3,7 +3,7 @@
 //
 //     node test/view_time_line.mjs PATH_TO_BOXPLUS DATA_FOLDER  exit code 77: something is missing, so the test is skipped
 import {
-  dataFile, expectEqual, fail, openPage, picture, runTest, step, textOf, waitForStatus, waitForText, waitUntil,
+  dataFile, expectEqual, fail, openPage, picture, runTest, step, textOf, waitForPicture, waitForStatus, waitForText, waitUntil,
 } from "./support.mjs";
 
 const CHI2_INITIAL = "551.735731", CHI2_FINAL = "45.0046958";
@@ -63,6 +63,16 @@ await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
     expectEqual(await page.getAttribute("#play", "aria-label"), "Pause");
     await waitUntil(page, () => document.querySelector("#play").getAttribute("aria-label") === "Play");
     expectEqual(await textOf(page, "time-text"), `Iteration ${last} of ${last}, chi2 ${CHI2_FINAL}`);
+  });
+
+  await step("a page that was reloaded has the time line again", async () => {
+    await page.reload();
+    await waitForPicture(page);
+    await waitForText(page, "time-text", `Iteration ${last} of ${last}, chi2 ${CHI2_FINAL}`);
+    await page.focus("#time");
+    await page.keyboard.press("Home");
+    await waitForText(page, "time-text", `Iteration 0 of ${last}, chi2 ${CHI2_INITIAL}`);
+    await page.keyboard.press("End");
   });
 
   await step("another run begins from the estimates of the run before", async () => {

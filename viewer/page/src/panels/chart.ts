@@ -2,9 +2,9 @@
 // The plot of chi2 by iteration. Its scale is logarithmic if chi2 falls by a large factor.
 import uPlot from "uplot";
 import { general } from "../format";
-import { chi2Sequence, type Model } from "../model";
+import { chi2Sequence, type Model, type Run } from "../model";
 import { currentTheme, onThemeChange } from "../theme";
-import { byId, create } from "./dom";
+import { byId, create, setText } from "./dom";
 
 /** The factor from the least to the largest chi2 above which the scale is logarithmic. */
 const LARGE_FACTOR = 10;
@@ -30,7 +30,10 @@ export class Chart {
       const place = this.plot?.cursor.idx;
       if (typeof place === "number") this.on_choose(place);
     });
-    new ResizeObserver(() => this.plot?.setSize(this.size())).observe(this.place);
+    new ResizeObserver(() => {
+      // A folded plot keeps its size.
+      if (this.place.clientHeight > 0) this.plot?.setSize(this.size());
+    }).observe(this.place);
   }
 
   /** Marks a place in chi2Sequence(), or none. */
@@ -42,6 +45,7 @@ export class Chart {
 
   private update(): void {
     const { run } = this.model;
+    setText(byId("fold-chart"), title(run));
     if ((run?.rows ?? null) === this.shown_rows) return;
     this.shown_rows = run?.rows ?? null;
     const { values } = this.data();
@@ -95,7 +99,7 @@ export class Chart {
   }
 
   private size() {
-    return { width: this.place.clientWidth - 10, height: this.place.clientHeight };
+    return { width: Math.max(1, this.place.clientWidth - 10), height: Math.max(1, this.place.clientHeight) };
   }
 
   private options(): uPlot.Options {
@@ -128,6 +132,13 @@ export class Chart {
       series: [{}, { stroke: theme.plot_line, width: 1.5, points }],
     };
   }
+}
+
+/** Says where the plot begins if this is not at the estimates before the run. */
+function title(run: Run | null): string {
+  if (run && run.stages.length > 0) return `chi2 by stage: ${run.stages.join(", ")}, last run`;
+  if (!run?.start) return "chi2 by iteration";
+  return `chi2 from the initial guess (${run.start.name}: ${general(run.start.chi2, 4)}) on`;
 }
 
 function linearRange(least: number, most: number): [number, number] {

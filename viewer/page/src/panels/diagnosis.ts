@@ -47,10 +47,11 @@ export class DiagnosisPanel {
   private note(): string {
     const age = this.model.state?.diagnosis ?? null;
     if (!this.diagnosis || age === null) return "";
-    const { count: total, findings } = this.diagnosis;
+    const { count: total, findings, left_out = 0 } = this.diagnosis;
     const rest = total - findings.length;
     const found = total === 0 ? "Nothing is wrong at these estimates." : `${counted(total, "finding", "findings")}.`;
     const notes = [rest > 0 ? `${found} The last ${count(rest)} are not listed.` : found];
+    if (left_out > 0) notes.push(`It leaves out ${counted(left_out, "false edge", "false edges")}.`);
     if (age !== "current") {
       const what = age === "other graph" ? "graph has" : "estimates have";
       notes.push(`The ${what} changed since this diagnosis.`);

@@ -53,6 +53,8 @@ export class Display {
     view.on_truth = () => this.updateTruthText();
     view.on_newer = () => this.updateTexts();
     view.setOptions(this.options);
+    byId("legends").append(this.legend, this.edge_colors.legend);
+    this.legend.hidden = this.edge_colors.legend.hidden = true;
     // The theme has other default colors.
     onThemeChange(() => this.structure && this.build(this.structure));
     this.reset.addEventListener("click", () => {
@@ -83,7 +85,7 @@ export class Display {
   private build(structure: Structure): void {
     const theme = currentTheme();
     const parts = [fieldset("Vertices", this.vertexRows(structure, theme))];
-    parts.push(fieldset("Color of vertices", [this.colorMode(), this.legend]));
+    parts.push(fieldset("Color of vertices", [this.colorMode()]));
     if (structure.edges.length > 0) parts.push(fieldset("Edges", this.edgeRows(structure, theme)));
     if (structure.is_bundle && structure.vertices.some(({ shape }) => shape === "point"))
       parts.push(fieldset("Points", this.pointLimits()));
@@ -193,6 +195,8 @@ export class Display {
     this.updateInitialText();
     this.updateTruthText();
     setTextOrHide(this.uncertainty_text, this.uncertaintyText());
+    const { shown, newer } = this.view;
+    tickIfKnown("show-uncertainty", this.options.shows_uncertainty, ((newer ?? shown)?.uncertainty?.vertices.length ?? 0) > 0);
   }
 
   private updateInitialText(): void {
@@ -202,6 +206,7 @@ export class Display {
   private updateTruthText(): void {
     const { truth } = this.view;
     setTextOrHide(this.truth_text, truth ? matchText(truth) : "");
+    tickIfKnown("show-truth", this.options.shows_truth, truth !== null);
   }
 
   /** The colors of classes of vertices, and how many vertices have them. */
@@ -249,6 +254,14 @@ export class Display {
       (hidden === 0 ? `All ${count(total)} points pass.` : `Hides ${count(hidden)} of ${count(total)} points.`) +
       (is_waiting ? " The errors of points are not known yet." : ""));
   }
+}
+
+/** A box for something that is not known is neither ticked nor enabled. */
+function tickIfKnown(id: string, chosen: boolean, is_known: boolean): void {
+  const box = document.getElementById(id);
+  if (!(box instanceof HTMLInputElement)) return;
+  box.checked = chosen && is_known;
+  box.disabled = !is_known;
 }
 
 /** Which regions are not drawn as they are. */

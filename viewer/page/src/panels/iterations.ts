@@ -8,13 +8,13 @@ import { byId, create, keepAtEnd } from "./dom";
 interface Column {
   title: string;
   hint: string;
-  text(row: IterationRow): string;
+  text(row: IterationRow, run: Run): string;
   /** Absent: always shown. */
   isShown?(run: Run): boolean;
 }
 
 const COLUMNS: Column[] = [
-  { title: "#", hint: "iteration", text: (row) => String(row.iteration) },
+  { title: "#", hint: "iteration", text: (row, { stages }) => stages[row.iteration - 1] ?? String(row.iteration - stages.length) },
   { title: "chi2", hint: "after the iteration", text: (row) => general(row.chi2, 7) },
   { title: "decrease", hint: "decrease of chi2", text: (row) => general(row.chi2_decrease, 3) },
   { title: "step", hint: "largest absolute entry of the step", text: (row) => scientific(row.step_max, 1) },
@@ -54,15 +54,15 @@ export class Iterations {
       const heads = columns.map(({ title, hint }) => create("th", { title: hint, scope: "col" }, title));
       this.head.replaceChildren(...heads);
     }
-    keepAtEnd(byId("iterations"), () => this.updateRows(rows));
+    keepAtEnd(byId("iterations"), () => this.updateRows(rows, run));
   }
 
-  private updateRows(rows: IterationRow[]): void {
+  private updateRows(rows: IterationRow[], run: Run | null): void {
     let same = 0;
     while (same < rows.length && same < this.shown.length && rows[same] === this.shown[same]) ++same;
     while (this.body.rows.length > same) this.body.deleteRow(-1);
     for (const row of rows.slice(same)) {
-      this.body.append(create("tr", {}, ...this.columns.map((column) => create("td", {}, column.text(row)))));
+      this.body.append(create("tr", {}, ...this.columns.map((column) => create("td", {}, column.text(row, run!)))));
     }
     this.shown = rows;
   }

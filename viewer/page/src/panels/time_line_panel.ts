@@ -48,6 +48,8 @@ export class TimeLinePanel {
 
   add(frame: Frame): void {
     this.line.add(frame, this.rows.length);
+    // A page that was reloaded gets the frames of all attempts at once.
+    if (!this.model.isBusy) this.line.settle(this.rows);
     this.show();
   }
 
@@ -136,7 +138,10 @@ export class TimeLinePanel {
   }
 
   private showTexts({ iteration, frame }: Moment): void {
-    const place = this.last < 1 ? `Iteration ${iteration}` : `Iteration ${iteration} of ${this.line.newest!.iteration}`;
+    const stages = this.model.run?.stages ?? [], stage = stages[iteration - 1];
+    const last = this.line.newest!.iteration - stages.length;
+    const number = Math.max(0, iteration - stages.length);
+    const place = stage ? `Stage: ${stage}` : this.last < 1 || last < 1 ? `Iteration ${number}` : `Iteration ${number} of ${last}`;
     const text = `${place}, chi2 ${general(frame.chi2, CHI2_DIGITS)}`;
     setText(byId("time-text"), text);
     byId("time-text").classList.toggle("past", this.chosen !== null);

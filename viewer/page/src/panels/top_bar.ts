@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bar at the top: file, counts, chi2, and what the server does.
 import { counted, general } from "../format";
-import type { Model } from "../model";
+import { fitsPoorly, type Model, type Run } from "../model";
 import { toggleTheme } from "../theme";
 import { byId, setText } from "./dom";
 
@@ -46,14 +46,17 @@ export class TopBar {
       return { status, tone: connection.problem ? "bad" : "", text: connection.problem ? "not connected" : status };
     }
     if (!state) return { status: "connecting", tone: "", text: "connecting" };
-    if (state.busy) return { status: "busy", tone: "busy", text: activity(state.activity, run?.rows.length ?? 0) };
+    if (state.busy) return { status: "busy", tone: "busy", text: activity(state.activity, run) };
     if (state.error && !state.file) return { status: "error", tone: "bad", text: "file not read" };
     if (!run) return { status: "ready", tone: "", text: "ready" };
+    if (run.status === "converged" && fitsPoorly(run)) return { status: run.status, tone: "warn", text: "converged, poor fit" };
     const tones: Record<string, string> = { converged: "good", failed: "bad" };
     return { status: run.status, tone: tones[run.status] ?? "", text: run.status };
   }
 }
 
-function activity(name: string, iterations: number): string {
-  return name === "optimizing" && iterations > 0 ? `${name}, iteration ${iterations}` : name;
+function activity(name: string, run: Run | null): string {
+  const rows = run?.rows.length ?? 0, stages = run?.stages.length ?? 0;
+  if (name !== "optimizing" || rows === 0) return name;
+  return rows > stages ? `${name}, iteration ${rows - stages}` : "looking for false edges";
 }

@@ -23,10 +23,11 @@ export function typeRow(
   id: string, structure: Structure, group: VertexGroup | EdgeGroup, style: TypeStyle, theme: Theme,
 ): HTMLElement {
   const { name, kind } = signOf(structure, group);
+  const type = sizeName(structure, group);
   const sign = swatch(kind);
   const own_color = style.color ?? group.color;
   if (own_color) sign.style.background = own_color;
-  const box = checkBox(id, style.shown ?? defaultShown(structure, group), [sign, name], group.name,
+  const box = checkBox(id, style.shown ?? defaultShown(structure, group), [sign, name], type === name ? "" : type,
     (checked) => (style.shown = checked));
   const default_color = `#${typeColor(theme, group).getHexString()}`;
   const color = colorField(`color-${id}`, name, style.color ?? null, default_color, (chosen) => {
@@ -34,6 +35,7 @@ export function typeRow(
     else style.color = chosen;
     sign.style.background = chosen ?? group.color ?? "";
   });
+  box.title = group.name;
   return create("div", { className: "type-row" }, box, lineNumber(group.count), color);
 }
 

@@ -20,6 +20,8 @@ export interface Diagnosis {
   /** Of all findings, some of which may not be sent. */
   count: number;
   findings: Finding[];
+  /** The number of edges that were ignored, because the last run found them false. */
+  left_out?: number;
 }
 
 /** True if a mark of the finding would show something. */

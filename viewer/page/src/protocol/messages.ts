@@ -33,6 +33,15 @@ export interface RunMessage {
   status: string;
   headline: string;
   summary: string;
+  /** The names of the first rows that are stages of a search for false edges, instead of iterations. */
+  stages?: string[];
+  /** The initial guess from which the first iteration starts; null if it starts from the estimates before the run. */
+  start?: { name: string; chi2: MaybeNumber } | null;
+  /** chi2 divided by the degrees of freedom; null if it is not known. */
+  chi2_per_degree?: MaybeNumber;
+  degrees_of_freedom?: number;
+  /** The number of edges that the run found false, and that are still in the graph. */
+  false_edges?: number;
 }
 
 export interface LogLine {
@@ -246,5 +255,6 @@ export type Command =
   | { type: "step"; settings: SettingTexts }
   | { type: "guess"; start: string }
   | { type: "covariances" }
+  | { type: "remove_false_edges" }
   | { type: "stop" }
   | { type: "reset" };

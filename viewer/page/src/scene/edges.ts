@@ -11,6 +11,9 @@ import type { Vertices } from "./vertices";
 const OPACITY: Record<EdgeRole, number> = { odometry: 1, "loop closure": 0.75, observation: 0.35, other: 0.75 };
 /** Observations are fainter if there are more of them than this, but not fainter than the least. */
 const FEW_OBSERVATIONS = 1000, LEAST_OPACITY = 0.06;
+/** Loop closures are fainter if their length is more than this many diameters of the graph together. */
+const FEW_DIAMETERS = 80;
+const MOST_SAMPLES = 5000;
 
 export class Edges {
   readonly object: LineSegments<BufferGeometry, ReturnType<typeof lineMaterial>>;
@@ -18,6 +21,9 @@ export class Edges {
   /** Vertices of each line. The first n lines are a part that is spread over all of them. */
   private readonly lines: Uint32Array;
   private drawable = 0;
+  /** How much of their opacity dense lines keep. */
+  private thinness = 1;
+  private opacity = 1;
 
   /** `lines` has two vertices for each line. `level` is null if the color is that of the group. */
   constructor(readonly group: EdgeGroup, lines: Uint32Array, vertices: Vertices, readonly level: number | null = null) {
@@ -55,7 +61,16 @@ export class Edges {
   }
 
   setOpacity(opacity: number): void {
+    this.opacity = opacity;
     this.object.material.uniforms["opacity"]!.value = opacity * this.fullOpacity();
+  }
+
+  /** Makes loop closures faint that would cover the graph. `positions` are those of the vertices, `diameter` is that of the graph. */
+  updateDensity(positions: ArrayLike<number>, diameter: number): void {
+    if (this.group.role !== "loop closure" || !(diameter > 0)) return;
+    const most = FEW_DIAMETERS * diameter;
+    this.thinness = Math.min(1, Math.max(LEAST_OPACITY, most / Math.max(most, totalLength(this.lines, positions))));
+    this.setOpacity(this.opacity);
   }
 
   setColor(color: Color): void {
@@ -72,7 +87,7 @@ export class Edges {
   private fullOpacity(): number {
     if (this.level === LEVELS - 1) return 1;
     const full = OPACITY[this.group.role];
-    if (this.group.role !== "observation") return full;
+    if (this.group.role !== "observation") return full * this.thinness;
     const count = this.lines.length / 2;
     return full * Math.min(1, Math.max(LEAST_OPACITY / full, Math.sqrt(FEW_OBSERVATIONS / count)));
   }
@@ -81,6 +96,18 @@ export class Edges {
 /** The lines of a type and role: two vertex numbers each. */
 export function linesOf({ first, count }: EdgeGroup, { lines }: Structure): Uint32Array {
   return lines.subarray(2 * first, 2 * (first + count));
+}
+
+/** An estimate from a part of the lines, which are in a spread order. Lines to vertices without a place do not count. */
+function totalLength(lines: Uint32Array, positions: ArrayLike<number>): number {
+  const count = lines.length / 2, sampled = Math.min(count, MOST_SAMPLES);
+  let sum = 0;
+  for (let line = 0; line < sampled; ++line) {
+    const a = 3 * lines[2 * line]!, b = 3 * lines[2 * line + 1]!;
+    const length = Math.hypot(positions[a]! - positions[b]!, positions[a + 1]! - positions[b + 1]!, positions[a + 2]! - positions[b + 2]!);
+    if (Number.isFinite(length)) sum += length;
+  }
+  return sampled > 0 ? (sum * count) / sampled : 0;
 }
 
 function spread(lines: Uint32Array): Uint32Array {

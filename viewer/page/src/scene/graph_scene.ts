@@ -101,6 +101,7 @@ export class GraphScene {
     }
     this.scans?.update(frame);
     if (changed) this.updateVisible();
+    this.updateDensity();
     this.ellipses.update(frame, this.vertices, () => this.extent()?.box.getSize(new Vector3()).length() ?? 0);
     this.truth_fit = frame.truth;
     this.placeTruth();
@@ -232,7 +233,12 @@ export class GraphScene {
   /** Draws about as much of what is visible as the budget allows, spread over all of it. */
   limit(budget: Budget): void {
     const ghosts = this.shownGhosts();
-    limitParts([...this.edges, this.ellipses, ...ghosts.flatMap(({ edges }) => edges)], budget.lines);
+    // The odometry is what shows the shape of the graph.
+    const paths = this.edges.filter(({ group }) => group.role === "odometry");
+    const others = this.edges.filter(({ group }) => group.role !== "odometry");
+    limitParts(paths, budget.lines);
+    const rest = Math.max(0, budget.lines - paths.reduce((sum, part) => sum + part.drawableCount, 0));
+    limitParts([...others, this.ellipses, ...ghosts.flatMap(({ edges }) => edges)], rest);
     limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
     const clouds = this.groups.filter((group) => group instanceof PointCloud);
     limitParts([...clouds, ...(this.scans ? [this.scans] : []), ...ghosts.flatMap(({ points }) => points)], budget.points);
@@ -244,6 +250,11 @@ export class GraphScene {
     this.ellipses.dispose();
     for (const ghost of this.shownGhosts()) ghost.dispose();
     this.selection.dispose();
+  }
+
+  private updateDensity(): void {
+    const diameter = this.extent()?.box.getSize(new Vector3()).length() ?? 0;
+    for (const edges of this.edges) edges.updateDensity(this.positions, diameter);
   }
 
   private shownGhosts(): Ghost[] {
@@ -312,6 +323,7 @@ export class GraphScene {
       edges.updateVisible(this.vertices);
       this.current.add(edges.object);
     }
+    this.updateDensity();
   }
 
   private changeShapes(as_axes: boolean): void {

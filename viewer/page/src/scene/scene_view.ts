@@ -64,7 +64,8 @@ export class SceneView {
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.rig = new CameraRig(canvas, () => this.moved(), () => this.requestPicture());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
-    canvas.addEventListener("webglcontextrestored", () => this.requestPicture());
+    // A restored context has the background of a new one.
+    canvas.addEventListener("webglcontextrestored", () => this.applyTheme());
     onThemeChange(() => this.applyTheme());
     this.resize();
     this.applyTheme();
@@ -279,6 +280,8 @@ export class SceneView {
     graph.update(frame);
     if (is_first || brings_errors) graph.applyFilter(this.options);
     if (is_first && !this.keeps_camera) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
+    // At the end of a run, the picture fits exactly.
+    if (this.follows && frame.line_values) this.fitted = null;
     if (this.follows) this.followGraph();
     this.updateSpacing(graph, frame);
     if (brings_values) graph.applyOptions(this.options, this.spacing, currentTheme());

@@ -8,6 +8,8 @@ import { type Field, settingControl, settingField } from "./setting_field";
 import type { SettingValues } from "./setting_values";
 
 const IN_RUN_BAR = "iterations";
+/** Groups whose names would be confused with each other. */
+const TITLES: Record<string, string> = { Outliers: "Robust kernel", "False edges": "Search for false edges" };
 
 export class SettingsForm {
   private shown: Form | null = null;
@@ -53,7 +55,7 @@ export class SettingsForm {
       this.updates.push(field.update);
       groups.set(setting.group, [...(groups.get(setting.group) ?? []), field]);
     }
-    const sets = [...groups].map(([title, fields]) => fieldset(title, fields.map((field) => field.element)));
+    const sets = [...groups].map(([title, fields]) => fieldset(TITLES[title] ?? title, fields.map((field) => field.element)));
     byId("settings").replaceChildren(...sets, this.reset);
   }
 

@@ -38,6 +38,24 @@ for (const [name, theme] of Object.entries(THEMES)) {
   });
 }
 
+/** Of [r, g, b], in degrees. */
+function hue([r, g, b]) {
+  return (Math.atan2(Math.sqrt(3) * (g - b), 2 * r - g - b) * 180) / Math.PI;
+}
+
+for (const [name, theme] of Object.entries(THEMES)) {
+  test(`the truth, the uncertainty and bad edges have different hues in the ${name} theme`, () => {
+    const colors = ["truth", "uncertainty", "level-5"];
+    for (const [i, a] of colors.entries()) {
+      for (const b of colors.slice(0, i)) {
+        const angle = Math.abs(hue(theme[a]) - hue(theme[b])) % 360;
+        const difference = Math.min(angle, 360 - angle);
+        assert.ok(difference > 45, `the hues of --${a} and --${b} differ by ${difference.toFixed(0)}°`);
+      }
+    }
+  });
+}
+
 test("the contrast of black and white is 21", () => {
   assert.equal(contrast([0, 0, 0], [1, 1, 1]).toFixed(3), "21.000");
 });
