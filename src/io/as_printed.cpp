@@ -14,9 +14,9 @@ namespace {
 
 // The largest k for which a double holds 10^k exactly. Up to this k, n / 10^k is the same double as the one
 // that a reader gets from the decimal text.
-constexpr int kMostDecimals = 22;
+constexpr int kMostExactDecimals = 22;
 constexpr auto kPowers = [] {
-  std::array<double, kMostDecimals + 1> powers{1};
+  std::array<double, kMostExactDecimals + 1> powers{1};
   for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
   return powers;
 }();
@@ -29,7 +29,8 @@ double rounded(double x, int decimals) {
 /// The number of decimals with which x has `digits` significant digits.
 int decimals_of(double x, int digits) {
   int decimals = digits;  // for 0.1 ≤ |x| < 1
-  for (double least = 0.1; decimals < kMostDecimals && std::abs(x) < least && x != 0; least /= 10) ++decimals;
+  for (double least = 0.1; decimals < kMostExactDecimals && std::abs(x) < least && x != 0; least /= 10)
+    ++decimals;
   return std::abs(x) >= 1 ? digits - 1 : decimals;
 }
 

@@ -15,7 +15,7 @@ std::string_view beginning(std::string_view text, std::size_t size) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   if (text.empty()) return "the end of the line";
   const std::string_view shown = beginning(text, kLongest);

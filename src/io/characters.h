@@ -21,6 +21,6 @@ inline std::string_view without_byte_order_mark(std::string_view text) {
 
 /// `text` in quotes, shortened if it is long. Control characters and bytes that are not UTF-8 become \xNN. If
 /// `text` is empty, returns "the end of the line".
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace boxplus

@@ -44,7 +44,7 @@ void write_word(FieldWriter& out, std::string_view what, const std::string& word
   const auto separates = [](char c) { return is_blank(c) || c == '\n'; };
   if (word.empty() || std::any_of(word.begin(), word.end(), separates)) {
     throw InvalidArgument(
-        fmt::format("data: expected {} without blanks, got {}", what, word.empty() ? "''" : quoted(word)));
+        fmt::format("data: expected {} without blanks, got {}", what, word.empty() ? "''" : in_quotes(word)));
   }
   out.token(word);
 }

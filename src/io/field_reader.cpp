@@ -67,7 +67,7 @@ void FieldReader::fail_at(std::size_t position, const std::string& message) cons
 }
 
 void FieldReader::refuse(std::size_t position, std::string_view expected, std::string_view came) const {
-  fail_at(position, fmt::format("expected {}, got {}", expected, quoted(came)));
+  fail_at(position, fmt::format("expected {}, got {}", expected, in_quotes(came)));
 }
 
 std::string_view FieldReader::token(std::string_view what) {

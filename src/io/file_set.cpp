@@ -49,10 +49,10 @@ std::string unused_name(const std::string& target) {
 }
 
 /// The renames that put complete new files in the places of the old ones.
-class Renames {
+class FileRenames {
  public:
   /// The new files must have their names.
-  Renames(const std::string& folder, std::deque<Replacement>& replacements) : folder_(folder) {
+  FileRenames(const std::string& folder, std::deque<Replacement>& replacements) : folder_(folder) {
     for (Replacement& replacement : replacements) steps_.push_back({replacement.target(), {}, {}});
     for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i].fresh = replacements[i].release();
   }
@@ -146,7 +146,7 @@ void replace_together(const std::string& folder, std::span<const NewFile> files)
   std::deque<Replacement> replacements;
   for (const NewFile& file : files) replacements.emplace_back(file.path).write(file.write);
   for (Replacement& replacement : replacements) replacement.take_name();
-  Renames(folder, replacements).run();
+  FileRenames(folder, replacements).run();
 }
 
 void open_together(const std::string& folder, detail::FunctionRef<void()> open) {

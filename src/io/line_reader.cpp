@@ -65,7 +65,7 @@ void OtherLines::append_note(std::vector<GraphFile::Note>& notes) const {
   std::sort(sorted.begin(), sorted.end());
   std::string tags;
   for (std::size_t k = 0; k < std::min(kShown, sorted.size()); ++k)
-    tags += fmt::format("{}{} {}", k == 0 ? "" : ", ", -sorted[k].first, quoted(sorted[k].second));
+    tags += fmt::format("{}{} {}", k == 0 ? "" : ", ", -sorted[k].first, in_quotes(sorted[k].second));
   if (sorted.size() > kShown) tags += ", …";
   notes.push_back({0, fmt::format("{} not part of the graph: {}",
                                   total == 1 ? "1 line is" : fmt::format("{} lines are", total), tags)});

@@ -63,9 +63,9 @@ void check(const InertialOptions& options) {
   require(options.landmarks > 0, "a positive number of landmarks");
 }
 
-class Simulator {
+class InertialSimulator {
  public:
-  explicit Simulator(const InertialOptions& options) : options_(options), random_(options.seed) {
+  explicit InertialSimulator(const InertialOptions& options) : options_(options), random_(options.seed) {
     result_.sample_seconds = 1.0 / options.imu_rate;
     result_.gravity = {0, 0, -kStandardGravity};
     // The camera looks to the left, and its y axis points down.
@@ -150,7 +150,7 @@ BodyMotion simulated_flight(double seconds) {
 
 InertialSimulation simulate_inertial(const InertialOptions& options) {
   check(options);
-  return Simulator(options).run();
+  return InertialSimulator(options).run();
 }
 
 }  // namespace boxplus

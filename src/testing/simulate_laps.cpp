@@ -4,14 +4,10 @@
 #include "boxplus/types/slam3d.h"
 #include "testing/robot_options.h"
 #include "testing/simulator.h"
+#include "testing/turned.h"
 
 namespace boxplus {
 namespace {
-
-SE3 turned(const Vector3& axis, double angle) {
-  const Vector3 omega = axis * angle;
-  return SE3::from_unit(Vector3(0, 0, 0), detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]));
-}
 
 SE3 pose_on_sphere(const SphereOptions& options, int k) {
   const double count = static_cast<double>(options.laps) * options.poses_per_lap;

@@ -6,13 +6,10 @@
 #include "testing/grid_walk.h"
 #include "testing/robot_options.h"
 #include "testing/simulator.h"
+#include "testing/turned.h"
 
 namespace boxplus {
 namespace {
-
-SE3 turned(double rx, double ry, double rz) {
-  return SE3::from_unit(Vector3(0, 0, 0), detail::RotationVectorChart::exp(rx, ry, rz));
-}
 
 /// The pose of the robot on its walk at step k. It sways.
 SE3 swaying(const SE2& pose, int k) {

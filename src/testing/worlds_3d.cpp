@@ -4,15 +4,11 @@
 
 #include "boxplus/types/slam3d.h"
 #include "testing/simulator.h"
+#include "testing/turned.h"
 #include "testing/worlds.h"
 
 namespace boxplus {
 namespace {
-
-SE3 turned(const Vector3& axis, double angle) {
-  const Vector3 omega = axis * angle;
-  return SE3::from_unit(Vector3(0, 0, 0), detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]));
-}
 
 /// The number of laps for about `poses` poses, if a lap has as many poses as there are laps.
 int laps_for(int poses) {

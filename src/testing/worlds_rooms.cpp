@@ -6,6 +6,7 @@
 
 #include "boxplus/types/slam3d.h"
 #include "testing/simulator.h"
+#include "testing/turned.h"
 #include "testing/worlds.h"
 
 namespace boxplus {
@@ -17,10 +18,6 @@ constexpr double kLength = 8, kHalfWidth = 4, kFloor = -1.5, kCeiling = 2.5;
 
 double partition(int k) {
   return (k - 0.5 * kRooms) * kLength;
-}
-
-SE3 turned(double rx, double ry, double rz) {
-  return SE3::from_unit(Vector3(0, 0, 0), detail::RotationVectorChart::exp(rx, ry, rz));
 }
 
 /// Flies to the last room and back, again and again, and calls `arrive(room)` at each pose.

@@ -9,22 +9,22 @@ namespace boxplus {
 namespace {
 
 TEST(Characters, AreQuotedUnchangedIfATerminalCanShowThem) {
-  EXPECT_EQ(quoted("VERTEX_SE2"), "'VERTEX_SE2'");
-  EXPECT_EQ(quoted("Größe €😀"), "'Größe €😀'");
-  EXPECT_EQ(quoted(""), "the end of the line");
+  EXPECT_EQ(in_quotes("VERTEX_SE2"), "'VERTEX_SE2'");
+  EXPECT_EQ(in_quotes("Größe €😀"), "'Größe €😀'");
+  EXPECT_EQ(in_quotes(""), "the end of the line");
 }
 
 TEST(Characters, AreEscapedIfTheyAreControlCharactersOrNotUtf8) {
-  EXPECT_EQ(quoted("a\x1b[31mb\x7f"), "'a\\x1b[31mb\\x7f'");
-  EXPECT_EQ(quoted("\xff\xfe x"), "'\\xff\\xfe x'");
-  EXPECT_EQ(quoted("\xc2\x9b"), "'\\xc2\\x9b'") << "a C1 control character";
-  EXPECT_EQ(quoted("\xc0\xaf"), "'\\xc0\\xaf'") << "an overlong form";
-  EXPECT_EQ(quoted("\xed\xa0\x80"), "'\\xed\\xa0\\x80'") << "a surrogate";
-  EXPECT_EQ(quoted("x\xe2\x82"), "'x\\xe2\\x82'") << "a character that is cut off";
+  EXPECT_EQ(in_quotes("a\x1b[31mb\x7f"), "'a\\x1b[31mb\\x7f'");
+  EXPECT_EQ(in_quotes("\xff\xfe x"), "'\\xff\\xfe x'");
+  EXPECT_EQ(in_quotes("\xc2\x9b"), "'\\xc2\\x9b'") << "a C1 control character";
+  EXPECT_EQ(in_quotes("\xc0\xaf"), "'\\xc0\\xaf'") << "an overlong form";
+  EXPECT_EQ(in_quotes("\xed\xa0\x80"), "'\\xed\\xa0\\x80'") << "a surrogate";
+  EXPECT_EQ(in_quotes("x\xe2\x82"), "'x\\xe2\\x82'") << "a character that is cut off";
 }
 
 TEST(Characters, OfSeveralBytesAreNotCutIfALongTextIsShortened) {
-  EXPECT_EQ(boxplus::quoted(std::string(39, 'a') + "€"), "'" + std::string(39, 'a') + "…'");
+  EXPECT_EQ(boxplus::in_quotes(std::string(39, 'a') + "€"), "'" + std::string(39, 'a') + "…'");
 }
 
 }  // namespace

@@ -108,14 +108,14 @@ class Loader {
     fields.clear();
     std::string next;
     if (!(fields >> next)) return "expected more fields, got the end of the line";
-    return "expected a number, got " + boxplus::quoted(next);
+    return "expected a number, got " + boxplus::in_quotes(next);
   }
 
   /// Whether the rest of the line is empty or a comment.
   bool at_end(const std::string& tag, internal::LineStream& fields) {
     std::string rest;
     if (!(fields >> rest) || rest[0] == '#') return true;
-    complain("{}: expected the end of the line, got {}", tag, boxplus::quoted(rest));
+    complain("{}: expected the end of the line, got {}", tag, boxplus::in_quotes(rest));
     return false;
   }
 
@@ -170,7 +170,7 @@ class Loader {
     const char* const end = text.data() + text.size();
     const auto [read_to, error] = std::from_chars(text.data(), end, id);
     if (error == std::errc() && read_to == end && id >= lowest) return true;
-    complain("{}: expected {}, got {}", tag, what, boxplus::quoted(text));
+    complain("{}: expected {}, got {}", tag, what, boxplus::in_quotes(text));
     return false;
   }
 

@@ -77,7 +77,7 @@ void UnknownTags::report() const {
             [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
   int without_library = 0, other_lines = 0;
   for (const auto& [tag, lines] : tags) {
-    const std::string what = "unknown tag " + boxplus::quoted(tag) + ", " + skipped(lines.count);
+    const std::string what = "unknown tag " + boxplus::in_quotes(tag) + ", " + skipped(lines.count);
     if (const TypeGroup* group = group_of(tag)) {
       G2O_ERROR("line {}: {}; link libg2o_{} and use G2O_USE_TYPE_GROUP({})", lines.first, what,
                 group->library, group->name);

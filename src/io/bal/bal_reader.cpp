@@ -183,7 +183,8 @@ class BalReader {
   }
 
   [[noreturn]] void refuse(const NumberBlock& block, std::size_t field) const {
-    fail(block, field, fmt::format("expected {}, got {}", expected_field(), quoted(block.field(field).text)));
+    fail(block, field,
+         fmt::format("expected {}, got {}", expected_field(), in_quotes(block.field(field).text)));
   }
   [[noreturn]] void fail(const NumberBlock& block, std::size_t field, const std::string& message) const {
     const NumberBlock::Field place = block.field(field);

@@ -182,11 +182,11 @@ void require_names(const SparseModel& model, bool is_text) {
     const std::string& name = image.name;
     if (name.find('\0') != std::string::npos)
       throw InvalidArgument("cannot write a COLMAP model: image " + std::to_string(image.id) +
-                            ": expected a name without bytes of value 0, got " + quoted(name));
+                            ": expected a name without bytes of value 0, got " + in_quotes(name));
     if (is_text && (name.empty() || is_blank(name.front()) || is_blank(name.back()) ||
                     name.find('\n') != std::string::npos))
       throw InvalidArgument("cannot write COLMAP's text: image " + std::to_string(image.id) +
-                            ": expected a name of one line without blanks around it, got " + quoted(name));
+                            ": expected a name of one line without blanks around it, got " + in_quotes(name));
   }
 }
 

@@ -114,7 +114,7 @@ class TextInput : public ModelInput {
 
   Place here() const { return {line_, at_ - begin_ + 1}; }
   [[noreturn]] void refuse(const std::string& expected, std::string_view text) const {
-    fail(place(), fmt::format("expected {}, got {}", expected, quoted(text)));
+    fail(place(), fmt::format("expected {}, got {}", expected, in_quotes(text)));
   }
 
   std::size_t block_ = 0;

@@ -14,7 +14,7 @@ namespace boxplus {
 void UnknownTags::add(std::string_view line, std::int64_t number) {
   FieldReader in({}, number, line);
   const std::string_view tag = in.token("a tag");
-  const auto entry = tags_.try_emplace(quoted(tag)).first;
+  const auto entry = tags_.try_emplace(in_quotes(tag)).first;
   if (entry->second.count++ == 0) entry->second.first_line = number;
   if (tag.starts_with("EDGE") || in.at_end()) return;
   const std::string_view field = in.token("an id");

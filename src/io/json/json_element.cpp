@@ -17,24 +17,24 @@ struct NamedMember {
   JsonElement::Member member;
 };
 
-constexpr std::array kMembers = {NamedMember{"tag", JsonElement::kTag},
-                                 NamedMember{"id", JsonElement::kId},
-                                 NamedMember{"ids", JsonElement::kIds},
-                                 NamedMember{"fields", JsonElement::kFields},
-                                 NamedMember{"information", JsonElement::kInformation},
-                                 NamedMember{"rest", JsonElement::kRest},
-                                 NamedMember{"kernel", JsonElement::kKernel},
-                                 NamedMember{"level", JsonElement::kLevel},
-                                 NamedMember{"enabled", JsonElement::kEnabled},
-                                 NamedMember{"fixed", JsonElement::kFixed},
-                                 NamedMember{"fixed_directions", JsonElement::kFixedDirections},
-                                 NamedMember{"bounds", JsonElement::kBounds},
-                                 NamedMember{"eliminated", JsonElement::kEliminated}};
+constexpr std::array kElementMembers = {NamedMember{"tag", JsonElement::kTag},
+                                        NamedMember{"id", JsonElement::kId},
+                                        NamedMember{"ids", JsonElement::kIds},
+                                        NamedMember{"fields", JsonElement::kFields},
+                                        NamedMember{"information", JsonElement::kInformation},
+                                        NamedMember{"rest", JsonElement::kRest},
+                                        NamedMember{"kernel", JsonElement::kKernel},
+                                        NamedMember{"level", JsonElement::kLevel},
+                                        NamedMember{"enabled", JsonElement::kEnabled},
+                                        NamedMember{"fixed", JsonElement::kFixed},
+                                        NamedMember{"fixed_directions", JsonElement::kFixedDirections},
+                                        NamedMember{"bounds", JsonElement::kBounds},
+                                        NamedMember{"eliminated", JsonElement::kEliminated}};
 
 /// The names of the members in a set: "tag, id".
 std::string names_of(unsigned members) {
   std::string names;
-  for (const NamedMember& each : kMembers) {
+  for (const NamedMember& each : kElementMembers) {
     if ((members & each.member) != 0) names.append(names.empty() ? "" : ", ").append(each.name);
   }
   return names;
@@ -42,10 +42,10 @@ std::string names_of(unsigned members) {
 
 /// The member with this name, if it is in the set.
 JsonElement::Member find(std::string_view name, unsigned members, const char* at) {
-  for (const NamedMember& each : kMembers) {
+  for (const NamedMember& each : kElementMembers) {
     if (each.name == name && (members & each.member) != 0) return each.member;
   }
-  refuse_meaning(at, fmt::format("one of the members {}, got {}", names_of(members), quoted(name)));
+  refuse_meaning(at, fmt::format("one of the members {}, got {}", names_of(members), in_quotes(name)));
 }
 
 int read_int(JsonScanner& in, std::string_view what) {
@@ -124,7 +124,8 @@ void JsonElement::read(JsonScanner& in, const Form& form) {
   at = in.at();
   in.object("an element ({)", [&](std::string_view name, const char* name_at) {
     const Member member = find(name, form.required | form.optional, name_at);
-    if ((given & member) != 0) refuse_meaning(name_at, fmt::format("the member {} only once", quoted(name)));
+    if ((given & member) != 0)
+      refuse_meaning(name_at, fmt::format("the member {} only once", in_quotes(name)));
     given |= member;
     read_member(in, member);
   });
@@ -181,9 +182,9 @@ void JsonElement::read_kernel(JsonScanner& in) {
   in.object("a kernel ({)", [&](std::string_view name, const char* name_at) {
     const bool is_name = name == "name", is_width = name == "width";
     if (!is_name && !is_width)
-      refuse_meaning(name_at, fmt::format("one of the members name, width, got {}", quoted(name)));
+      refuse_meaning(name_at, fmt::format("one of the members name, width, got {}", in_quotes(name)));
     bool& given_before = is_name ? has_name : has_width;
-    if (given_before) refuse_meaning(name_at, fmt::format("the member {} only once", quoted(name)));
+    if (given_before) refuse_meaning(name_at, fmt::format("the member {} only once", in_quotes(name)));
     given_before = true;
     if (is_width) return void(kernel.width = in.number("the width of the kernel").value);
     std::string memory;
@@ -214,8 +215,9 @@ void JsonElement::read_bounds(JsonScanner& in) {
                                  : name == "upper" ? &has_upper
                                                    : nullptr;
       if (given_before == nullptr)
-        refuse_meaning(name_at, fmt::format("one of the members entry, lower, upper, got {}", quoted(name)));
-      if (*given_before) refuse_meaning(name_at, fmt::format("the member {} only once", quoted(name)));
+        refuse_meaning(name_at,
+                       fmt::format("one of the members entry, lower, upper, got {}", in_quotes(name)));
+      if (*given_before) refuse_meaning(name_at, fmt::format("the member {} only once", in_quotes(name)));
       *given_before = true;
       if (name == "entry") return void(bound.entry = read_int(in, "an entry"));
       (name == "lower" ? bound.lower : bound.upper) = in.number("a limit").value;

@@ -93,10 +93,11 @@ const Tag& JsonElementAdder::tag_of(const JsonElement& element, Tag::Kind kind) 
     last_tag_ = tags_.find(last_name_);
   }
   if (!last_tag_ || last_tag_->kind != kind || !last_tag_->written) {
-    refuse_meaning(element.tag_at, fmt::format("the tag of {}, got {}{}", name_of(kind), quoted(element.tag),
-                                               !last_tag_                ? ", which is unknown"
-                                               : last_tag_->kind != kind ? ""
-                                                                         : ", which is a tag of old files"));
+    refuse_meaning(element.tag_at,
+                   fmt::format("the tag of {}, got {}{}", name_of(kind), in_quotes(element.tag),
+                               !last_tag_                ? ", which is unknown"
+                               : last_tag_->kind != kind ? ""
+                                                         : ", which is a tag of old files"));
   }
   return *last_tag_;
 }

@@ -47,7 +47,7 @@ void JsonKeptLine::read(JsonScanner& in) {
       line.after = in.integer(name == "after_vertex" ? "the id of a vertex" : "the position of an edge");
     } else {
       refuse_meaning(name_at, fmt::format("one of the members text, bytes, after_vertex, after_edge, got {}",
-                                          quoted(name)));
+                                          in_quotes(name)));
     }
   });
   if (texts == 0) refuse_meaning(at, "a kept line with text or bytes");

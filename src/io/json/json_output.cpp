@@ -31,7 +31,7 @@ void append_field(std::string_view field, std::string& out) {
   }
   if (field == "nan" || field == "-nan" || field == "inf" || field == "-inf")
     throw InvalidArgument(fmt::format("cannot write {}: JSON has finite numbers only", field));
-  if (!is_plain_word(field)) throw InvalidArgument("cannot write the field " + quoted(field) + " as JSON");
+  if (!is_plain_word(field)) throw InvalidArgument("cannot write the field " + in_quotes(field) + " as JSON");
   fmt::format_to(std::back_inserter(out), "\"{}\"", field);
 }
 

@@ -19,8 +19,8 @@ namespace boxplus {
 namespace {
 
 enum Section : std::size_t { kParameters, kVertices, kEdges, kKept };
-constexpr std::array<std::string_view, 6> kMembers = {"parameters", "vertices", "edges",
-                                                      "kept",       "format",   "version"};
+constexpr std::array<std::string_view, 6> kFileMembers = {"parameters", "vertices", "edges",
+                                                          "kept",       "format",   "version"};
 constexpr std::size_t kFormat = 4, kVersion = 5;
 
 /// Builds a GraphFile. Reads one element at a time. If a section comes before one on which it depends, the
@@ -105,15 +105,15 @@ class JsonReader {
     std::string memory;
     const std::string_view name = in.string(memory, "the name of a member (a string)");
     in.expect(':', "a colon");
-    for (std::size_t i = 0; i < kMembers.size(); ++i) {
-      if (name != kMembers[i]) continue;
-      if (is_given_[i]) refuse_meaning(at, fmt::format("the member {} only once", quoted(name)));
+    for (std::size_t i = 0; i < kFileMembers.size(); ++i) {
+      if (name != kFileMembers[i]) continue;
+      if (is_given_[i]) refuse_meaning(at, fmt::format("the member {} only once", in_quotes(name)));
       return i;
     }
     refuse_meaning(at,
                    fmt::format("one of the members format, version, parameters, vertices, edges, kept of a "
                                "{}, got {}",
-                               kJsonFormat, quoted(name)));
+                               kJsonFormat, in_quotes(name)));
   }
 
   void read_member(std::size_t member) {
@@ -133,7 +133,7 @@ class JsonReader {
     std::string memory;
     const std::string_view format = in.string(memory, "the name of the format (a string)");
     if (format != kJsonFormat)
-      refuse_meaning(at, fmt::format("the format '{}', got {}", kJsonFormat, quoted(format)));
+      refuse_meaning(at, fmt::format("the format '{}', got {}", kJsonFormat, in_quotes(format)));
   }
 
   static void check_version(JsonScanner& in) {
@@ -220,7 +220,7 @@ class JsonReader {
   JsonKeptLine kept_line_;
   std::optional<JsonError> error_;  // of the element that a lenient reader passes over
   std::int64_t skipped_edges_ = 0;
-  std::array<bool, kMembers.size()> is_given_{};
+  std::array<bool, kFileMembers.size()> is_given_{};
   std::array<std::optional<JsonWindow::Position>, 4> waiting_{};
 };
 

@@ -57,7 +57,7 @@ std::string JsonScanner::found() const {
   if (at_ == end_) return "the end of the text";
   const char* stop = at_ + 1;
   while (stop != end_ && !ends_word(*stop)) ++stop;
-  return quoted({at_, static_cast<std::size_t>(stop - at_)});
+  return in_quotes({at_, static_cast<std::size_t>(stop - at_)});
 }
 
 void JsonScanner::refuse_syntax(std::string_view expected) const {

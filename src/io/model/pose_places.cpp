@@ -10,7 +10,7 @@ namespace {
 
 using SensorType = SparseModel::SensorType;
 
-bool is_image(const SparseModel::Data& data) {
+bool is_of_camera(const SparseModel::Data& data) {
   return data.sensor.type == SensorType::kCamera;
 }
 
@@ -18,7 +18,7 @@ bool is_image(const SparseModel::Data& data) {
 Id vertex_of(const SparseModel::Frame& frame, const SparseModel::Rig& rig) {
   const SparseModel::Data* first = nullptr;
   for (const SparseModel::Data& data : frame.data) {
-    if (!is_image(data)) continue;
+    if (!is_of_camera(data)) continue;
     if (data.sensor == rig.sensors.front().sensor) return static_cast<Id>(data.id);
     if (!first) first = &data;
   }
@@ -41,7 +41,7 @@ std::vector<PosePlace> pose_places(const SparseModel& model) {
     const SparseModel::Rig& rig = *rigs.at(frame.rig);
     const PosePlace place{vertex_of(frame, rig), pose_of(frame.pose), {}, {}};
     for (const SparseModel::Data& data : frame.data) {
-      if (!is_image(data)) continue;
+      if (!is_of_camera(data)) continue;
       PosePlace& of_image = place_of[data.id] = place;
       for (std::size_t i = 1; i < rig.sensors.size(); ++i) {
         if (rig.sensors[i].sensor != data.sensor) continue;

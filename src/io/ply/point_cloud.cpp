@@ -26,7 +26,7 @@ std::unordered_map<Id, Color> colors_of(const SparseModel* model) {
   return colors;
 }
 
-struct Camera {
+struct PlacedCamera {
   VertexRef vertex;
   detail::Frame frame;
   int direction;  ///< see view_directions()
@@ -39,7 +39,7 @@ PointCloud::PointCloud(const GraphFileView& file, std::string_view extension) {
   for (const auto& pool : graph.vertex_pools()) indices_.emplace_back(pool->slots(), kAbsent);
   const std::vector<int> directions = view_directions(graph);
   const std::unordered_map<Id, Color> colors = colors_of(file.model);
-  std::vector<Camera> cameras;
+  std::vector<PlacedCamera> cameras;
   std::vector<std::array<double, 3>> centers, points;
   for (const VertexRef& vertex : graph.all_vertices()) {
     detail::Frame frame;
@@ -63,7 +63,7 @@ PointCloud::PointCloud(const GraphFileView& file, std::string_view extension) {
         fmt::format("cannot write {}: expected poses or points with finite positions, got none", extension));
   }
   const double height = pyramid_height(centers, points);
-  for (const Camera& camera : cameras) {
+  for (const PlacedCamera& camera : cameras) {
     const std::size_t tip = vertices.size();
     indices_[camera.vertex.pool][camera.vertex.slot] = tip;
     for (const PyramidCorners::value_type& corner : pyramid(camera.frame, camera.direction, height))

@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kNoVertex = 0xFFFFFFFFu;
 constexpr std::uint32_t kCoarsest = 100;  // the number of vertices of a graph that is not coarsened further
 constexpr double kLeastShrinkage = 0.95;  // the largest useful ratio of the sizes after and before coarsening
 constexpr double kLargestSide = 0.6;      // the largest share of one side in the total weight
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
   const std::uint32_t n = graph.vertices();
   const std::int64_t limit = 3 * graph.total() / (2 * kCoarsest) + 1;
   std::vector<Visit> visits(n);
-  std::vector<std::uint32_t> luck(n), partner(n, kNone);
+  std::vector<std::uint32_t> luck(n), partner(n, kNoVertex);
   for (std::uint32_t v = 0; v < n; ++v) {
     luck[v] = scramble(v ^ salt);
     visits[v] = {std::uint64_t{graph.start[v + 1] - graph.start[v]} << 32 | luck[v], v};
@@ -55,14 +55,14 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
     return a.rank < b.rank;
   });
   for (const auto& [rank, v] : visits) {
-    if (partner[v] != kNone) continue;
+    if (partner[v] != kNoVertex) continue;
     std::uint32_t best = v;
     std::int64_t heaviest = 0;
     for (std::uint32_t k = graph.start[v]; k < graph.start[v + 1]; ++k) {
       pace.step();
       const std::uint32_t u = graph.neighbor[k];
       const std::int64_t weight = graph.edge_weight[k];
-      if (partner[u] != kNone || graph.weight[u] + graph.weight[v] > limit) continue;
+      if (partner[u] != kNoVertex || graph.weight[u] + graph.weight[v] > limit) continue;
       if (weight > heaviest || (weight == heaviest && luck[u] < luck[best])) best = u, heaviest = weight;
     }
     partner[v] = best;
@@ -75,14 +75,14 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
 WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32_t>& partner,
                        std::vector<std::uint32_t>& coarse_of, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
-  coarse_of.assign(n, kNone);
+  coarse_of.assign(n, kNoVertex);
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < n; ++v) {
-    if (coarse_of[v] == kNone) coarse_of[v] = coarse_of[partner[v]] = count++;
+    if (coarse_of[v] == kNoVertex) coarse_of[v] = coarse_of[partner[v]] = count++;
   }
   WeightedGraph coarse;
   coarse.weight.assign(count, 0);
-  std::vector<std::uint32_t> place(count, kNone);  // the index in coarse.neighbor of each neighbor
+  std::vector<std::uint32_t> place(count, kNoVertex);  // the index in coarse.neighbor of each neighbor
   for (std::uint32_t v = 0; v < n; ++v) {
     if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // already merged with its partner
     const std::uint32_t c = coarse_of[v], first = coarse.start.back();
@@ -92,7 +92,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
         pace.step();
         const std::uint32_t u = coarse_of[graph.neighbor[k]];
         if (u == c) continue;
-        if (place[u] == kNone || place[u] < first) {
+        if (place[u] == kNoVertex || place[u] < first) {
           place[u] = static_cast<std::uint32_t>(coarse.neighbor.size());
           coarse.neighbor.push_back(u);
           coarse.edge_weight.push_back(0);
@@ -161,7 +161,7 @@ class Refiner {
     if (side_[v] != kSeparator || locked_[v]) return;
     for (const Side to : {kLeft, kRight}) queue_[to].push({gain(v, to), v});
   }
-  /// The vertex that has the largest gain if it moves to the side `to`, or kNone if no vertex can move.
+  /// The vertex that has the largest gain if it moves to the side `to`, or kNoVertex if no vertex can move.
   std::uint32_t best(Side to) {
     auto& queue = queue_[to];
     while (!queue.empty()) {
@@ -170,7 +170,7 @@ class Refiner {
         return top.vertex;
       queue.pop();  // outdated; a newer entry may be in the queue
     }
-    return kNone;
+    return kNoVertex;
   }
   void set_side(std::uint32_t v, Side side) {
     changes_.push_back({v, side_[v]});
@@ -207,7 +207,7 @@ class Refiner {
   Side choose() {
     const std::uint32_t left = best(kLeft), right = best(kRight);
     const auto fits = [&](std::uint32_t v, Side to) {
-      return v != kNone && weight_[to] + graph_.weight[v] <= limit_;
+      return v != kNoVertex && weight_[to] + graph_.weight[v] <= limit_;
     };
     const Side lighter = weight_[kLeft] <= weight_[kRight] ? kLeft : kRight;
     const bool fits_left = fits(left, kLeft), fits_right = fits(right, kRight);
@@ -217,7 +217,7 @@ class Refiner {
     }
     if (fits_left) return kLeft;
     if (fits_right) return kRight;
-    return (lighter == kLeft ? left : right) != kNone ? lighter : kSeparator;
+    return (lighter == kLeft ? left : right) != kNoVertex ? lighter : kSeparator;
   }
 
   /// Makes one pass. Then undoes all moves that were made after the cost was lowest. Returns whether the cost

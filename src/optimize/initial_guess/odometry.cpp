@@ -34,7 +34,7 @@ std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames, const StopToken&
 
 /// The costs of the measurements. With these costs, the shortest paths follow the chain of poses, and bridge
 /// gaps with as few other measurements as possible.
-std::vector<double> costs(const FrameGraph& frames, const StopToken& stop) {
+std::vector<double> costs_of_gaps(const FrameGraph& frames, const StopToken& stop) {
   const std::vector<std::int64_t> rank = ranks_by_id(frames, stop);
   const double bridge = static_cast<double>(frames.nodes()) + 1;  // costs more than any chain
   std::vector<double> cost;
@@ -53,7 +53,7 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan, const GuessLimits& li
   return guess::guess_or_restore(graph, plan, [&]() -> GuessResult {
     FrameGraph frames(graph, plan, limits.stop);
     if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
-    guess::propagate(frames, costs(frames, limits.stop), limits.stop);
+    guess::propagate(frames, costs_of_gaps(frames, limits.stop), limits.stop);
     return {true, {}};
   });
 }

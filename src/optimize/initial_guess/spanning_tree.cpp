@@ -29,7 +29,7 @@ double variance(double weight) {
   return 1 / std::max(weight, kLeastWeight);
 }
 
-std::vector<double> costs(const FrameGraph& frames, const StopToken& stop) {
+std::vector<double> variances(const FrameGraph& frames, const StopToken& stop) {
   const double lever = mean_squared_length(frames, stop);
   std::vector<double> cost;
   cost.reserve(frames.measurements().size());
@@ -46,7 +46,7 @@ GuessResult guess_spanning_tree(Graph& graph, const Plan& plan, const GuessLimit
   return guess::guess_or_restore(graph, plan, [&]() -> GuessResult {
     FrameGraph frames(graph, plan, limits.stop);
     if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
-    guess::propagate(frames, costs(frames, limits.stop), limits.stop);
+    guess::propagate(frames, variances(frames, limits.stop), limits.stop);
     return {true, {}};
   });
 }

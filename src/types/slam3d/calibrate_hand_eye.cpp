@@ -12,7 +12,7 @@ namespace boxplus {
 namespace {
 
 /// X is not determined if, for unit rotation vectors, a second axis has less than this share of the squares.
-constexpr double kSingular = 1e-12;
+constexpr double kLeastShare = 1e-12;
 
 void check_finite(std::span<const HandEye<SE3>> motions) {
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -28,7 +28,7 @@ std::optional<Eigen::Matrix3d> fit_rotation(std::span<const HandEye<SE3>> motion
   for (const auto& [hand, eye] : motions)
     sum += hand.so3().rotation_vector() * eye.so3().rotation_vector().transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (!(svd.singularValues()[1] > kSingular * svd.singularValues()[0])) return {};
+  if (!(svd.singularValues()[1] > kLeastShare * svd.singularValues()[0])) return {};
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   return svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
@@ -44,7 +44,7 @@ std::optional<Vector3> fit_translation(std::span<const HandEye<SE3>> motions, co
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(gram);
   const Eigen::Vector3d& values = solver.eigenvalues();
-  if (!(values[0] > kSingular * values[2])) return {};
+  if (!(values[0] > kLeastShare * values[2])) return {};
   return Vector3(solver.eigenvectors() * values.cwiseInverse().asDiagonal() *
                  solver.eigenvectors().transpose() * rhs);
 }
