@@ -26,7 +26,7 @@ await runTest(dataFile("posegraph3d/smallGrid3D.g2o"), async (url, browser) => {
       });
 
       await step(`${where}, the tabs have at least 30 % of the height`, async () => {
-        const { height: tab_height } = await page.locator("#display").boundingBox();
+        const { height: tab_height } = await page.locator("[role=tabpanel]:not([hidden])").boundingBox();
         if (tab_height < LEAST_TAB * height) fail(`they have ${tab_height} of ${height} pixels`);
       });
 

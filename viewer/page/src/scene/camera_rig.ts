@@ -102,6 +102,8 @@ export class CameraRig {
       this.camera.position.sub(this.controls.target).divideScalar(factor).add(this.controls.target);
     }
     this.controls.update();
+    // The controls do not notice another zoom of a flat camera.
+    this.on_move();
   }
 
   /** Looks down with y up, at the same point. */
