@@ -48,6 +48,8 @@ class BatchSystem final : public System {
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   bool clip(std::span<double> step) const override { return bounds_.clip(step); }
   double try_step(std::span<const double> step) override;
+  /// scale() forgets the diagonals of earlier linearizations.
+  void forget_scale() { diagonal_.begin_run(); }
   /// The largest entry of the last step of try_step(), in standard deviations: max √Hᵢᵢ |δᵢ|. An entry's
   /// standard deviation is the one that it has if all other unknowns are known.
   double step_in_deviations() const { return step_in_deviations_; }

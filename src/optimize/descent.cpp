@@ -8,6 +8,7 @@
 
 #include "optimize/edge_counts.h"
 #include "optimize/flat_directions.h"
+#include "optimize/levenberg_marquardt.h"
 #include "optimize/significance.h"
 
 namespace boxplus {
@@ -93,18 +94,77 @@ RunResult Descent::run(double chi2) {
 
 RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, 0};
-  RunResult result = iterate(wanted, chi2);
+  RunResult result = iterate_until_verified(wanted, chi2);
   const bool is_stationary =
       result.status == Report::Status::kConverged || result.reason == Report::Reason::kNotPositiveDefinite;
   if (!is_stationary) return result;
   const Displacement displacement = leave_flat_directions(system_, result.chi2);
   if (displacement.directions == 0) return result;
   displaced_directions_ += displacement.directions;
-  return iterate(wanted, displacement.chi2);
+  return iterate_until_verified(wanted, displacement.chi2);
+}
+
+void Descent::damp_by(Options::DampingScale scale) {
+  changed_ = options_;
+  changed_->damping = scale;
+  changed_->initial_lambda = 0;
+}
+
+bool Descent::is_plausible(double chi2) const {
+  constexpr double kAtMost = 2;
+  return chi2 <= std::max(1.0, kAtMost * degrees_of_freedom_);
+}
+
+/// A short step may gain nothing because of the scale of its damping or because of its radius, although
+/// longer ones lower chi2. So if a run converges with such a step, other steps must confirm it.
+RunResult Descent::iterate_until_verified(detail::FunctionRef<bool(const IterationRecord&)> wanted,
+                                          double chi2) {
+  RunResult result = iterate(wanted, chi2);
+  while (result.status == Report::Status::kConverged && ended_short_ && may_go_on()) {
+    if (!gains_again(wanted, result) && !gains_otherwise(wanted, result)) break;
+  }
+  return result;
+}
+
+/// Begins again from the result, as a new run would. If the first step does not gain noticeably, ends after
+/// it and returns false; the result is then still converged.
+bool Descent::gains_again(detail::FunctionRef<bool(const IterationRecord&)> wanted, RunResult& result) {
+  constexpr double kNoticeable = 1e-4;
+  constexpr int kMostSteps = 10;
+  const double before = result.chi2;
+  int steps = is_plausible(before) ? 1 : kMostSteps;
+  bool has_gained = false;
+  const auto gains = [&](const IterationRecord& record) {
+    has_gained = record.chi2 < (1 - kNoticeable) * before;
+    return wanted(record) && (has_gained || --steps > 0);
+  };
+  const RunResult again = iterate(gains, before);
+  if (has_gained) {
+    result = again;
+  } else {
+    result.chi2 = std::min(before, again.chi2);
+  }
+  return has_gained;
+}
+
+/// Like gains_again(), with Levenberg-Marquardt and the other scale of damping.
+bool Descent::gains_otherwise(detail::FunctionRef<bool(const IterationRecord&)> wanted, RunResult& result) {
+  using enum Options::DampingScale;
+  if (is_plausible(result.chi2) || !may_go_on()) return false;
+  LevenbergMarquardt other;
+  Algorithm* const usual = std::exchange(algorithm_, &other);
+  const std::optional<Options> changed = changed_;
+  damp_by(algorithm_options().damping == kIdentity ? kDiagonal : kIdentity);
+  const bool gains = gains_again(wanted, result);
+  algorithm_ = usual;
+  changed_ = changed;
+  return gains;
 }
 
 RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
-  algorithm_->reset(options_, system_.plan().scalars());
+  algorithm_->reset(algorithm_options(), system_.plan().scalars());
+  system_.forget_scale();
+  ended_short_ = false;
   RunResult result = iterate_to_end(wanted, chi2);
   if (result.status == Report::Status::kConverged && is_above(chi2, result.chi2, system_.gradient().size())) {
     result.status = Report::Status::kNotConverged;
@@ -142,6 +202,7 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     const double step = system_.step_in_deviations() / std::sqrt(variance);
     const bool goes_on = call_back(record) && wanted(record);
     const bool changes_bounds = system_.changes_bounds();
+    ended_short_ = cut_short;
     if (const auto reason =
             convergence(options_, record, before, step, unknowns, cut_short || changes_bounds))
       return {Report::Status::kConverged, *reason, chi2, iteration + 1};

@@ -2,6 +2,8 @@
 // Runs an algorithm for Optimizer::run(), once or several times in a row.
 #pragma once
 
+#include <optional>
+
 #include "boxplus/base/function_ref.h"
 #include "boxplus/optimize/algorithm.h"
 #include "boxplus/optimize/report.h"
@@ -37,6 +39,8 @@ class Descent {
 
   /// The following runs use this algorithm.
   void use(Algorithm& algorithm) { algorithm_ = &algorithm; }
+  /// The following runs of Levenberg-Marquardt damp with this scale, and no longer with Options::damping.
+  void damp_by(Options::DampingScale scale);
   /// The following runs leave this many iterations of Options::max_iterations.
   void leave(int iterations) { left_out_ = iterations; }
 
@@ -53,7 +57,10 @@ class Descent {
   void resume(std::vector<IterationRecord> records);
 
   /// Runs the algorithm from the current estimates. `chi2` is their chi2. If it converges at a stationary
-  /// point that is no minimum, displaces the estimates and goes on (see leave_flat_directions()).
+  /// point that is no minimum, displaces the estimates and goes on (see leave_flat_directions()). If it ends
+  /// with a step that damping or a trust region shortened, starts the algorithm again, with the scale of the
+  /// current H, until this gains nothing more. If noise does not explain chi2, also tries
+  /// Levenberg-Marquardt with the other scale.
   RunResult run(double chi2);
   /// Like run(), but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
   /// false.
@@ -70,9 +77,16 @@ class Descent {
   /// The number of rows of the enabled active edges minus the number of unknowns. If Ω is right, this is the
   /// expected chi2.
   double degrees_of_freedom() const { return degrees_of_freedom_; }
+  /// Whether chi2 is so low that noise alone explains it. A local minimum far from the global minimum is
+  /// unlikely to have such a low chi2.
+  bool is_plausible(double chi2) const;
 
  private:
   RunResult iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
+  RunResult iterate_until_verified(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
+  bool gains_again(detail::FunctionRef<bool(const IterationRecord&)> wanted, RunResult& result);
+  bool gains_otherwise(detail::FunctionRef<bool(const IterationRecord&)> wanted, RunResult& result);
+  const Options& algorithm_options() const { return changed_ ? *changed_ : options_; }
   RunResult iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
 
@@ -80,12 +94,14 @@ class Descent {
   BatchSystem& system_;
   Algorithm* algorithm_;
   const Options& options_;
+  std::optional<Options> changed_;  // the options of the algorithm, after damp_by()
   const StopToken& stop_;
   const Stopwatch& clock_;
   std::vector<IterationRecord>& records_;
   double degrees_of_freedom_ = 0;
   int iterations_ = 0, left_out_ = 0, regularized_steps_ = 0, displaced_directions_ = 0;
-  int uncounted_ = 0;  // the iterations that do not count against the limit
+  bool ended_short_ = false;  // whether the last iteration converged with a shortened step
+  int uncounted_ = 0;         // the iterations that do not count against the limit
 };
 
 }  // namespace boxplus

@@ -8,6 +8,7 @@
 
 #include "linearize/stiff_edge.h"
 #include "optimize/gauss_newton.h"
+#include "optimize/roughness.h"
 #include "optimize/vector_math.h"
 
 namespace boxplus {
@@ -58,8 +59,8 @@ class Finish {
   }
 
  private:
-  /// The decrease of chi2 that the undamped step predicts, as a fraction of chi2. Infinite if there is no
-  /// such step.
+  /// The decrease of chi2 that the undamped step predicts, as a fraction of chi2. 0 if chi2 has only rounding
+  /// errors along this step. Infinite if there is no such step.
   double possible_decrease(double chi2) {
     system_.set_precise(is_precise_);
     std::vector<double> step(system_.plan().scalars());
@@ -67,7 +68,8 @@ class Finish {
     if (!is_solved || !all_finite(step) || system_.damps_gauge())
       return std::numeric_limits<double>::infinity();
     const double decrease = -dot(system_.gradient(), step);
-    return decrease <= kExact * static_cast<double>(step.size()) ? 0 : decrease / chi2;
+    if (decrease <= kExact * static_cast<double>(step.size())) return 0;
+    return decrease > kWorthSteps * chi2 && is_rough(system_, step, decrease, chi2) ? 0 : decrease / chi2;
   }
 
   /// Takes Gauss-Newton steps, with half of the remaining iterations, but no more than are affordable. In the

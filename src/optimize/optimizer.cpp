@@ -56,6 +56,12 @@ bool needs_diagnosis(const Report& report) {
          report.reason == kRaisedChi2 || report.reason == kRejectedEdges || report.reason == kWeightSpan;
 }
 
+/// Whether chi2 is so high that points may be on the wrong sides of cameras.
+bool may_have_points_behind(const Report& report) {
+  constexpr double kMost = 4;  // as in Report::chi2_remark()
+  return report.converged() && report.eliminated > 0 && report.chi2_per_degree() > kMost;
+}
+
 /// Throws if the optimizer has no `impl`, because it was moved from.
 template <class Impl>
 Impl& checked(const std::unique_ptr<Impl>& impl) {
@@ -159,10 +165,16 @@ void Optimizer::Impl::run(Algorithm* custom, Report& report) {
     if (Constraints::exist_in(*graph))
       report.constraint_violation = std::numeric_limits<double>::quiet_NaN();  // not evaluated
   }
-  if (needs_diagnosis(report)) {
+  const bool needs_all = needs_diagnosis(report);
+  if (needs_all || may_have_points_behind(report)) {
     Options rest = options;
     rest.time_limit_s -= clock.seconds();
     report.findings = diagnose(*graph, rest).findings;
+    if (!needs_all) {
+      std::erase_if(report.findings, [](const detail::Finding& finding) {
+        return finding.kind != detail::Finding::Kind::kBehindCameras;
+      });
+    }
   }
   report.time.total_s = clock.seconds();
 }

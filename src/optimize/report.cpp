@@ -237,12 +237,13 @@ std::string_view Report::chi2_remark() const {
   // With fewer degrees, ratios beyond these limits are not rare even if every Ω is right.
   constexpr std::int64_t kFewestDegrees = 10;
   constexpr double kMost = 4, kLeast = 0.25;
+  constexpr double kExact = 1e-12;  // chi2 per row below which the errors are those of rounding
   if (!converged() || degrees_of_freedom < kFewestDegrees) return {};
   const double ratio = chi2_per_degree();
   if (ratio > kMost)
     return "chi2 per degree of freedom is above 4: Ω is too large, there are outliers, or this is a local "
            "minimum";
-  if (ratio < kLeast && robust_edges == 0)
+  if (ratio < kLeast && chi2_final > kExact * static_cast<double>(rows) && robust_edges == 0)
     return "chi2 per degree of freedom is below 1/4: Ω is too small for errors as small as these";
   return {};
 }

@@ -13,9 +13,8 @@ namespace boxplus {
 ///
 /// Evaluates F at small fractions of the step. There, a smooth function changes in proportion to the
 /// fraction. If only rounding errors are left, they are as large as for the whole step, or the estimates do
-/// not change at all. Steps that are far too long change F in no such proportion either, but by more than
-/// rounding: if a change is not negligible, short steps show how large the rounding errors of F are. So this
-/// test needs to know neither units nor the size of the estimates.
+/// not change at all. If F changes smoothly around the end of the step, the step is only far too long. So
+/// this test needs to know neither units nor the size of the estimates.
 ///
 /// Changes `step` during the call only. Returns false if F is not finite or the system is stopped.
 bool is_rough(System& system, std::span<double> step, double predicted, double chi2);

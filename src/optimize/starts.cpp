@@ -8,6 +8,7 @@
 
 #include "boxplus/optimize/start_table.h"
 #include "optimize/planned_system.h"
+#include "optimize/stuck.h"
 
 namespace boxplus {
 namespace {
@@ -76,7 +77,8 @@ class StartSearch {
 
   RunResult run() {
     const Start start = descent_.options().start;
-    if (start == Start::kCurrent) return descent_.run(chi2_original_);
+    if (may_damp_otherwise()) original_.take(graph(), plan());
+    if (start == Start::kCurrent) return run_current(chi2_original_);
     fallback_.take(graph(), plan());
     return start == Start::kAutomatic ? run_automatically() : run_from_guess(start);
   }
@@ -85,8 +87,41 @@ class StartSearch {
   Graph& graph() { return descent_.graph(); }
   const Plan& plan() { return descent_.system().plan(); }
 
+  /// Whether the damping is the library's choice, and points are eliminated. Then a run far from the minimum
+  /// may leave some points behind cameras or at infinity.
+  bool may_damp_otherwise() {
+    const Options& options = descent_.options();
+    return plan().eliminated_blocks > 0 && options.algorithm == AlgorithmKind::kAutomatic &&
+           options.damping == Options::DampingScale::kDiagonal && options.initial_lambda == 0;
+  }
+
+  /// Runs from the current estimates, which are the original ones or better ones. If a few edges are then
+  /// stuck, also runs from the original estimates with D = I: this lets points near cameras move freely, but
+  /// far points hardly move. Then continues from the better result.
+  RunResult run_current(double chi2) {
+    if (!may_damp_otherwise()) return descent_.run(chi2);
+    Crawl crawl;
+    bool gave_up = false;
+    const RunResult result = descent_.run_while(
+        [&](const IterationRecord& record) {
+          gave_up = crawl.is_noticed(record.chi2) && is_stuck(record.chi2);
+          return !gave_up;
+        },
+        chi2);
+    if (is_interruption(result.reason) && !gave_up) return result;
+    if (!descent_.may_go_on() || !is_stuck(result.chi2)) return result;
+    StartingPoint again{Start::kCurrent, {}, chi2_original_, {}};
+    std::swap(again.estimates, original_);
+    descent_.damp_by(Options::DampingScale::kIdentity);
+    const RunResult best = run_from_other(result, std::move(again), descent_.iterations_left());
+    descent_.damp_by(Options::DampingScale::kDiagonal);
+    return is_interruption(best.reason) || !descent_.may_go_on() ? best : descent_.run(best.chi2);
+  }
+
+  bool is_stuck(double chi2) { return !descent_.is_plausible(chi2) && few_edges_dominate(graph(), plan()); }
+
   RunResult run_from_guess(Start start) {
-    if (!make_guess(start)) return descent_.run(chi2_original_);
+    if (!make_guess(start)) return run_current(chi2_original_);
     report_.used = start;
     RunResult result = descent_.run(report_.chi2_guess);
     // A guess may be worse than the current estimates. If the run is stopped while its chi2 is still higher
@@ -110,7 +145,7 @@ class StartSearch {
         !has_robust_kernels(graph(), plan())) {
       bool gave_up = false;
       const RunResult result = try_current(gave_up);
-      const bool is_good = result.status == Report::Status::kConverged && is_plausible(result.chi2);
+      const bool is_good = result.status == Report::Status::kConverged && descent_.is_plausible(result.chi2);
       const bool may_go_on = !is_interruption(result.reason) && descent_.may_go_on();
       if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(result);
       if (result.chi2 < chi2) {
@@ -121,7 +156,7 @@ class StartSearch {
         descent_.discard_records();
       }
     }
-    if (!make_guess(Start::kChordal)) return descent_.run(chi2);
+    if (!make_guess(Start::kChordal)) return run_current(chi2);
     return run_from_better(chi2);
   }
 
@@ -251,16 +286,10 @@ class StartSearch {
     return true;
   }
 
-  /// Whether chi2 is so low that noise alone explains it. A local minimum far from the global minimum is
-  /// unlikely to have such a low chi2.
-  bool is_plausible(double chi2) const {
-    constexpr double kAtMost = 2;
-    return chi2 <= std::max(1.0, kAtMost * descent_.degrees_of_freedom());
-  }
-
   Descent& descent_;
   Report::StartReport& report_;
   double& guess_seconds_;
+  Estimates original_;          // if may_damp_otherwise()
   Estimates& fallback_;         // the original estimates, or the result of try_current()
   const double chi2_original_;  // the chi2 of the original estimates
 };

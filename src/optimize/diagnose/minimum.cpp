@@ -116,6 +116,7 @@ void find_chi2_ratio(const Evidence& evidence, Findings& out) {
   constexpr std::int64_t kFewestDegrees = 10;
   constexpr double kMost = 4, kLeast = 0.25;  // the limits of Report::chi2_remark()
   const std::int64_t degrees = degrees_of_freedom(evidence);
+  constexpr double kExact = 1e-12;            // chi2 per row below which the errors are those of rounding
   if (!evidence.at_minimum() || degrees < kFewestDegrees) return;
   const double ratio = evidence.chi2 / static_cast<double>(degrees);
   Finding finding;
@@ -124,7 +125,8 @@ void find_chi2_ratio(const Evidence& evidence, Findings& out) {
         "chi2 is {:.3g} times its degrees of freedom ({}); at a minimum, this ratio is about 1 if Ω is "
         "right: Ω is too large, there are outliers, or this is a local minimum",
         ratio, degrees);
-  } else if (ratio < kLeast && !evidence.has_kernels) {
+  } else if (ratio < kLeast && evidence.chi2 > kExact * static_cast<double>(evidence.rows) &&
+             !evidence.has_kernels) {
     finding.text = fmt::format(
         "chi2 is only {:.3g} times its degrees of freedom ({}); at a minimum, this ratio is about 1 if Ω is "
         "right: Ω is too small for errors as small as these, so covariances are too large",
