@@ -116,7 +116,7 @@ void find_chi2_ratio(const Evidence& evidence, Findings& out) {
   constexpr std::int64_t kFewestDegrees = 10;
   constexpr double kMost = 4, kLeast = 0.25;  // the limits of Report::chi2_remark()
   const std::int64_t degrees = degrees_of_freedom(evidence);
-  constexpr double kExact = 1e-12;            // chi2 per row below which the errors are those of rounding
+  constexpr double kExact = 1e-12;  // chi2 per row below which the errors are those of rounding
   if (!evidence.at_minimum() || degrees < kFewestDegrees) return;
   const double ratio = evidence.chi2 / static_cast<double>(degrees);
   Finding finding;
