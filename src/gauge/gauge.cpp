@@ -153,10 +153,18 @@ class GaugeFinder {
     }
     if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, ends_, stop_);
     test_->select(component.vertices, component.edges, component.anchors);
+    const std::size_t held = gauge_.held.size(), held_directions = gauge_.held_directions.size();
     for (const int dimension : {2, 3}) {
-      const SimilarityFreedom freedom = freedom_of(component, dimension);
+      SimilarityFreedom freedom = freedom_of(component, dimension);
+      leave_out_held(freedom, held, held_directions);
       if (freedom.directions() > 0) hold_similarity(component, freedom);
     }
+    // A vertex of which one dimension holds directions may be held completely because of the other one.
+    const auto is_held = [&](const TangentDirection& direction) {
+      return std::any_of(gauge_.held.begin() + static_cast<std::ptrdiff_t>(held), gauge_.held.end(),
+                         [&](const detail::GaugeVertex& v) { return v.vertex == direction.vertex; });
+    };
+    std::erase_if(gauge_.held_directions, is_held);
     if (!component.anchored && component.free.empty())
       gauge_.loose.push_back(reference(first_choice(component)));
   }
@@ -169,6 +177,19 @@ class GaugeFinder {
     if (holds(component) && !holds_whole(component, gauge_vertex(component, freedom), freedom))
       return freedom;
     return test_->find(dimension, SimilarityTest::Extent::kAllEdges);
+  }
+
+  /// Leaves out the motions that change what is held since there were `held` vertices and `held_directions`,
+  /// because of the other dimension of the world.
+  void leave_out_held(SimilarityFreedom& freedom, std::size_t held, std::size_t held_directions) const {
+    const auto changes_of = [&](const VertexRef& v) { return freedom.of_vertex(graph_, {v.pool, v.slot}); };
+    for (std::size_t k = held; k < gauge_.held.size() && freedom.directions() > 0; ++k)
+      freedom.keep(kernel_of(changes_of(gauge_.held[k].vertex), kNoticeable * freedom.unit()));
+    for (std::size_t k = held_directions; k < gauge_.held_directions.size() && freedom.directions() > 0;
+         ++k) {
+      const auto& [vertex, row] = gauge_.held_directions[k];
+      freedom.keep(kernel_of(changes_of(vertex).row(row), kNoticeable * freedom.unit()));
+    }
   }
 
   bool holds_whole(const Component& component, VertexSlot first, const SimilarityFreedom& freedom) const {

@@ -3,6 +3,7 @@
 """Tests that every sub-command that reads graphs works with problems of bundle adjustment (BAL)."""
 
 import json
+import math
 
 from command_case import CommandCase, main, run
 
@@ -20,6 +21,20 @@ def problem():
     header = f"{len(CAMERAS)} {len(POINTS)} {len(observations)}"
     return "\n".join([header, *observations, *cameras, *points]) + "\n"
 
+def problem_with_a_long_focal_length():
+    """A turned camera. Its pixels are so large that its focal length becomes 1e18, which BAL's rounding of poses would spoil."""
+    x, y, z = 0.1, -0.2, 0.3
+    angle = math.sqrt(x * x + y * y + z * z)
+    s, c = math.sin(angle) / angle, (1 - math.cos(angle)) / angle ** 2
+    W = [[0, -z, y], [z, 0, -x], [-y, x, 0]]
+    R = [[(i == j) + s * W[i][j] + c * sum(W[i][k] * W[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+    observations = []
+    for point, place in enumerate(POINTS):
+        X, Y, Z = (sum(R[i][k] * place[k] for k in range(3)) for i in range(3))
+        observations.append(f"0 {point} {-1e18 * X / Z!r} {-1e18 * Y / Z!r}")
+    values = [x, y, z, 0, 0, 0, 500, 0, 0] + [value for place in POINTS for value in place]
+    return "\n".join([f"1 {len(POINTS)} {len(POINTS)}", *observations, *map(repr, values)]) + "\n"
+
 class BalTest(CommandCase):
     def setUp(self):
         super().setUp()
@@ -34,6 +49,21 @@ class BalTest(CommandCase):
             self.assertLess(report["chi2_final"], 1e-6)
             lines = out.read_text(encoding="utf-8").splitlines()
             self.assertEqual((lines[0], len(lines)), ("3 12 36", 1 + 36 + 9 * 3 + 3 * 12))
+
+    def test_a_result_that_bal_cannot_hold_is_written_as_json_with_its_report(self):
+        problem = self.written("long.bal", problem_with_a_long_focal_length())
+        out = self.path / "out.bal"
+        arguments = ("optimize", problem, "--hold", "poses,points,distortion", "-o", out)
+        done = run(*arguments)
+        self.assertIn("converged: chi2", done.stdout)
+        self.assertIn("cannot write BAL's .bal: camera 0 and point", done.stderr)
+        self.assertIn("out.bal.json instead", done.stderr)
+        self.assertEqual(done.returncode, 0)
+        self.assertFalse(out.exists())
+        self.assertEqual(run("info", self.path / "out.bal.json").returncode, 0)
+        strict = run(*arguments, "--strict-output")
+        self.assertIn("converged: chi2", strict.stdout)
+        self.assertEqual(strict.returncode, 2)
 
     def test_the_optimized_problem_has_the_reported_chi2(self):
         done = run("optimize", self.problem, "-o", "-")

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <random>
+#include <type_traits>
 
 #include "boxplus/boxplus.h"
 #include "boxplus/types/ba/similarity.h"
@@ -509,6 +511,36 @@ TEST(Gauge, IsNotSearchedOnceAStopIsRequested) {
   const std::vector<std::vector<std::uint8_t>> movable{std::vector<std::uint8_t>(poses.size(), 1)};
   EXPECT_THROW(find_gauge(rigid, find_active_set(rigid, {}).edges, movable, GaugePolicy::kFixFirst, token),
                Stopped);
+}
+
+/// One edge between vertices of one to three dimensions, whose motions of the plane and of space move the
+/// same vertex.
+TEST(Gauge, OfVerticesOfSeveralDimensionsHoldsNoVertexTwice) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> entry(-2, 2);
+  const auto coefficient = [&] { return static_cast<double>(entry(random)); };
+  for (int trial = 0; trial < 200; ++trial) {
+    Graph graph;
+    const auto a = graph.add_vertex(Vector<double, 1>(-1.0));
+    const auto p = graph.add_vertex(Vector2(0, -3));
+    const auto q = graph.add_vertex(Vector3(4, -6, -4)), r = graph.add_vertex(Vector3(2, 3, -3));
+    Eigen::Matrix<double, 2, 9> A;
+    for (double& value : A.reshaped()) value = coefficient();
+    graph.add_edge(
+        [A](const auto& w, const auto& x, const auto& y, const auto& z) {
+          using S = std::decay_t<decltype(x[0])>;
+          Vector<S, 2> error;
+          for (int i = 0; i < 2; ++i) {
+            error[i] = A(i, 0) * w[0] + A(i, 1) * x[0] + A(i, 2) * x[1];
+            for (int k = 0; k < 3; ++k) error[i] += A(i, 3 + k) * y[k] + A(i, 6 + k) * z[k];
+          }
+          return error;
+        },
+        a, p, q, r);
+    const Report report = optimize(graph);
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_LT(report.chi2_final, 1e-12) << report;
+  }
 }
 
 }  // namespace

@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "boxplus/base/error.h"
 #include "command.h"
+#include "command_line/message.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "optimize/interrupt.h"
@@ -67,6 +69,28 @@ void certify_result(Graph& graph, const OptimizeArguments& arguments, const Repo
   facts.of_better = run_certify(graph, arguments, spent_s, progress);
 }
 
+/// Writes the result. If its format cannot hold the new estimates, writes JSON beside it, so that no result
+/// is lost, unless the user wants to know by the exit code: then returns the error.
+std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFile& file) {
+  try {
+    save_graph(arguments.output, file);
+    return nullptr;
+  } catch (const InvalidArgument& error) {
+    std::exception_ptr refusal = std::current_exception();
+    if (arguments.strict_output || arguments.output == kStandardStream) return refusal;
+    std::string name = arguments.output;
+    while (name.ends_with('/')) name.pop_back();
+    name += ".json";
+    try {
+      save_graph(name, file);
+    } catch (const InvalidArgument&) {
+      return refusal;
+    }
+    print_message(fmt::format("{}: {}; wrote {} instead", arguments.output, error.what(), name));
+    return nullptr;
+  }
+}
+
 int optimize_file(const OptimizeArguments& arguments) {
   check_outputs(outputs_of(arguments));
   refuse_to_replace({"--json", arguments.json}, {arguments.input});
@@ -101,7 +125,7 @@ int optimize_file(const OptimizeArguments& arguments) {
     doubt_indefinite(file.graph, arguments, report);
   certify_result(file.graph, arguments, report, facts, progress);
   if (arguments.remove_outliers && facts.outliers) remove_outliers(file.graph, *facts.outliers);
-  if (!arguments.output.empty()) save_graph(arguments.output, file);
+  const std::exception_ptr refusal = arguments.output.empty() ? nullptr : save_result(arguments, file);
   facts.total_s = seconds_since(begin);
   if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));
   if (!arguments.outlier_list.empty()) {
@@ -109,6 +133,7 @@ int optimize_file(const OptimizeArguments& arguments) {
   }
   if (!arguments.quiet) print_report(report, facts, arguments);
   print_why_stopped(report, arguments);
+  if (refusal) std::rethrow_exception(refusal);
   // Ctrl-C may have ended the certificate.
   const bool is_cut_short = report.converged() && Interrupt::flag()->load();
   if (view) view->serve(report, exit_code(report.status));

@@ -51,6 +51,11 @@ void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
+  command
+      .add_flag(
+          "--strict-output", arguments.strict_output,
+          "If the format of the output cannot hold the new estimates, fail instead of writing JSON beside it")
+      ->group("Output");
   command.add_option("--json", arguments.json, "Where to write the report as JSON; - is stdout")
       ->check(file_name())
       ->type_name("FILE")

@@ -32,6 +32,7 @@ struct OptimizeArguments : viewer::RunSettings, ServingArguments {
   bool quiet = false, verbose = false, view = false;
   std::optional<Suspects> suspects;  ///< of --outliers
   bool remove_outliers = false;      ///< leave the outliers out of the output
+  bool strict_output = false;        ///< refuse to write another format than that of the output
   bool certify = false;              ///< decide whether the minimum is global
   ReadOptions reading;
   std::vector<IdRange> fixed, moving;

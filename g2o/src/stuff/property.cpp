@@ -50,13 +50,13 @@ void PropertyMap::writeToCSV(std::ostream& os) const {
   const char* separator = "";
   for (const auto& [name, property] : *this) {
     os << separator << name;
-    separator = ", ";
+    separator = ",";
   }
   os << "\n";
   separator = "";
   for (const auto& [name, property] : *this) {
     os << separator << property->toString();
-    separator = ", ";
+    separator = ",";
   }
   os << "\n";
 }

@@ -50,7 +50,7 @@ TEST(PropertyMap, WritesCommaSeparatedLinesWithoutATrailingComma) {
   map.makeProperty<g2o::StringProperty>("b", "two");
   std::ostringstream out;
   map.writeToCSV(out);
-  EXPECT_EQ(out.str(), "a, b\n1, two\n");
+  EXPECT_EQ(out.str(), "a,b\n1,two\n");
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ TEST(StringTools, JoinTextWithADelimiter) {
   EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.end(), ", "), "1, 2, 3");
   EXPECT_EQ(g2o::strJoin(std::vector<std::string>{"one"}, ", "), "one");
   EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.begin(), ", "), "");
-  EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.end()), "1 2 3");
-  EXPECT_EQ(g2o::strJoin(numbers), "1 2 3");
+  EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.end()), "123");
+  EXPECT_EQ(g2o::strJoin(numbers), "123");
   EXPECT_EQ(g2o::strJoin(std::string("abc"), std::string("-")), "a-b-c");
 }
 

@@ -204,7 +204,7 @@ TEST(DataQueue, FindsDataByItsTimestamp) {
   EXPECT_EQ(queue.buffer().size(), 3);
   EXPECT_EQ(time_of(queue.lastElement()), 4);
   const double times[] = {0.5, 1, 1.4, 1.5, 2.9, 3, 3.1, 4, 9};
-  const double closest[] = {1, 1, 1, 1, 2, 2, 4, 4, 4}, before[] = {-1, 1, 1, 1, 2, 2, 2, 4, 4},
+  const double closest[] = {1, 1, 1, 1, 2, 2, 4, 4, 4}, before[] = {-1, -1, 1, 1, 2, 2, 2, 4, 4},
                after[] = {1, 2, 2, 2, 4, 4, 4, -1, -1};
   for (size_t k = 0; k < std::size(times); ++k) {
     EXPECT_EQ(time_of(queue.findClosestData(times[k])), closest[k]) << times[k];

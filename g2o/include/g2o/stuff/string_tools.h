@@ -39,7 +39,7 @@ G2O_STUFF_API std::vector<std::string> strSplit(const std::string& s, const std:
 
 /// Writes the elements of a range as text, separated by a delimiter.
 template <typename Iterator, typename = typename std::iterator_traits<Iterator>::value_type>
-std::string strJoin(Iterator begin, Iterator end, const std::string& delimiter = " ") {
+std::string strJoin(Iterator begin, Iterator end, const std::string& delimiter = "") {
   std::ostringstream out;
   for (Iterator element = begin; element != end; ++element) {
     if (element != begin) out << delimiter;
@@ -48,7 +48,7 @@ std::string strJoin(Iterator begin, Iterator end, const std::string& delimiter =
   return out.str();
 }
 template <typename Range>
-std::string strJoin(const Range& range, const std::string& delimiter = " ") {
+std::string strJoin(const Range& range, const std::string& delimiter = "") {
   return strJoin(std::begin(range), std::end(range), delimiter);
 }
 

@@ -30,9 +30,9 @@ RobotData* DataQueue::findClosestData(double timestamp) const {
 }
 
 RobotData* DataQueue::before(double timestamp) const {
-  if (std::isnan(timestamp)) return nullptr;
-  const auto later = _buffer.upper_bound(timestamp);
-  return later == _buffer.begin() ? nullptr : std::prev(later)->second;
+  // As in g2o, nothing is before the first timestamp itself.
+  if (_buffer.empty() || !(_buffer.begin()->first < timestamp)) return nullptr;
+  return std::prev(_buffer.upper_bound(timestamp))->second;
 }
 
 RobotData* DataQueue::after(double timestamp) const {

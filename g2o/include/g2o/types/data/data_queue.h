@@ -26,7 +26,7 @@ class G2O_TYPES_DATA_API DataQueue {
 
   /// The data whose timestamp is nearest; of two equally near ones, the earlier one.
   RobotData* findClosestData(double timestamp) const;
-  /// The latest data with at most this timestamp.
+  /// The latest data with at most this timestamp; nullptr for the first timestamp, as in g2o.
   RobotData* before(double timestamp) const;
   /// The earliest data with a larger timestamp.
   RobotData* after(double timestamp) const;
