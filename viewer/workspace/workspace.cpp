@@ -16,7 +16,7 @@ template <class F>
 auto translated(F&& work) {
   try {
     return work();
-  } catch (const Error&) {
+  } catch (const InvalidArgument&) {
     throw;
   } catch (const std::bad_alloc&) {
     throw InvalidArgument("not enough memory");

@@ -115,7 +115,7 @@ TEST_F(ThrowingWorkspace, RefusesPatternAndDiagnosisWithTheWordsOfTheException) 
   const auto pose = poses.graph.add_vertex(SE2()), other = poses.graph.add_vertex(SE2(1, 0, 0));
   poses.graph.add_edge(
       [this](const SE2& x, const SE2& y) {
-        if (is_armed_) throw std::runtime_error("the sensor is broken");
+        if (is_armed_) throw Error("the sensor is broken");
         return y.x() - x.x();
       },
       pose, other);
