@@ -22,7 +22,7 @@ def problem():
     return "\n".join([header, *observations, *cameras, *points]) + "\n"
 
 def problem_with_a_long_focal_length():
-    """A turned camera. Its pixels are so large that its focal length becomes 1e18, which BAL's rounding of poses would spoil."""
+    """A camera with a focal length of 1e18 pixels. Only its first estimate is so far off that BAL's rounding of poses is small."""
     x, y, z = 0.1, -0.2, 0.3
     angle = math.sqrt(x * x + y * y + z * z)
     s, c = math.sin(angle) / angle, (1 - math.cos(angle)) / angle ** 2
@@ -32,7 +32,7 @@ def problem_with_a_long_focal_length():
     for point, place in enumerate(POINTS):
         X, Y, Z = (sum(R[i][k] * place[k] for k in range(3)) for i in range(3))
         observations.append(f"0 {point} {-1e18 * X / Z!r} {-1e18 * Y / Z!r}")
-    values = [x, y, z, 0, 0, 0, 500, 0, 0] + [value for place in POINTS for value in place]
+    values = [0.12345678912345, y, z, 0, 0, 0, 1e18, 0, 0] + [value for place in POINTS for value in place]
     return "\n".join([f"1 {len(POINTS)} {len(POINTS)}", *observations, *map(repr, values)]) + "\n"
 
 class BalTest(CommandCase):
@@ -53,11 +53,12 @@ class BalTest(CommandCase):
     def test_a_result_that_bal_cannot_hold_is_written_as_json_with_its_report(self):
         problem = self.written("long.bal", problem_with_a_long_focal_length())
         out = self.path / "out.bal"
-        arguments = ("optimize", problem, "--hold", "poses,points,distortion", "-o", out)
+        arguments = ("optimize", problem, "--hold", "points,distortion", "-o", out)
         done = run(*arguments)
         self.assertIn("converged: chi2", done.stdout)
         self.assertIn("cannot write BAL's .bal: camera 0 and point", done.stderr)
         self.assertIn("out.bal.json instead", done.stderr)
+        self.assertIn("out.bal.json.", done.stdout)
         self.assertEqual(done.returncode, 0)
         self.assertFalse(out.exists())
         self.assertEqual(run("info", self.path / "out.bal.json").returncode, 0)

@@ -71,9 +71,10 @@ void certify_result(Graph& graph, const OptimizeArguments& arguments, const Repo
 
 /// Writes the result. If its format cannot hold the new estimates, writes JSON beside it, so that no result
 /// is lost, unless the user wants to know by the exit code: then returns the error.
-std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFile& file) {
+std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFile& file, RunFacts& facts) {
   try {
     save_graph(arguments.output, file);
+    facts.output = arguments.output;
     return nullptr;
   } catch (const InvalidArgument& error) {
     std::exception_ptr refusal = std::current_exception();
@@ -87,6 +88,7 @@ std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFi
       return refusal;
     }
     print_message(fmt::format("{}: {}; wrote {} instead", arguments.output, error.what(), name));
+    facts.output = name;
     return nullptr;
   }
 }
@@ -125,14 +127,14 @@ int optimize_file(const OptimizeArguments& arguments) {
     doubt_indefinite(file.graph, arguments, report);
   certify_result(file.graph, arguments, report, facts, progress);
   if (arguments.remove_outliers && facts.outliers) remove_outliers(file.graph, *facts.outliers);
-  const std::exception_ptr refusal = arguments.output.empty() ? nullptr : save_result(arguments, file);
+  const std::exception_ptr refusal = arguments.output.empty() ? nullptr : save_result(arguments, file, facts);
   facts.total_s = seconds_since(begin);
   if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));
   if (!arguments.outlier_list.empty()) {
     write_output(arguments.outlier_list, facts.outliers ? outliers_list(*facts.outliers) : std::string());
   }
   if (!arguments.quiet) print_report(report, facts, arguments);
-  print_why_stopped(report, arguments);
+  print_why_stopped(report, facts, arguments);
   if (refusal) std::rethrow_exception(refusal);
   // Ctrl-C may have ended the certificate.
   const bool is_cut_short = report.converged() && Interrupt::flag()->load();

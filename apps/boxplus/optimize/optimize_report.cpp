@@ -12,10 +12,11 @@
 namespace boxplus::app {
 namespace {
 
-std::string where_written(const OptimizeArguments& arguments) {
+std::string where_written(const OptimizeArguments& arguments, const RunFacts& facts) {
   return arguments.output.empty()              ? "not written (use -o FILE)"
+         : facts.output.empty()                ? "not written"
          : arguments.output == kStandardStream ? "written to standard output"
-                                               : "written to " + arguments.output;
+                                               : "written to " + facts.output;
 }
 
 /// Returns " of width 2", or " of width 1.96 (1 row), 2.795 (3 rows)".
@@ -56,18 +57,18 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
   if (facts.skipped_lines > 0)
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,
                         facts.skipped_lines == 1 ? "" : "s", facts.skipped_lines == 1 ? "was" : "were");
-  text += fmt::format("\nThe optimized graph is {}.\n", escaped(where_written(arguments)));
+  text += fmt::format("\nThe optimized graph is {}.\n", escaped(where_written(arguments, facts)));
   print_summary(outputs_of(arguments), text);
 }
 
-void print_why_stopped(const Report& report, const OptimizeArguments& arguments) {
+void print_why_stopped(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
   if (report.converged()) return;
   const bool on_page = report.reason == Report::Reason::kCallback;
   if (on_page || report.reason == Report::Reason::kStopFlag) {
     print_message(fmt::format("{}: {} after {} iteration{}; the best estimate is {}",
                               input_name(arguments.input), on_page ? "stopped on the page" : "interrupted",
                               report.iterations, report.iterations == 1 ? "" : "s",
-                              where_written(arguments)));
+                              where_written(arguments, facts)));
   } else {
     print_message(fmt::format("{}: {}", input_name(arguments.input), report.message));
   }

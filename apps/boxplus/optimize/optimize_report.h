@@ -21,6 +21,6 @@ std::vector<Output> outputs_of(const OptimizeArguments& arguments);
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments);
 
 /// If the run did not converge, prints a message with the reason.
-void print_why_stopped(const Report& report, const OptimizeArguments& arguments);
+void print_why_stopped(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments);
 
 }  // namespace boxplus::app

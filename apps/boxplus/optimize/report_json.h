@@ -14,6 +14,7 @@ namespace boxplus::app {
 /// Facts about the run that are not in the Report.
 struct RunFacts {
   std::string input;
+  std::string output;     ///< where the result was written; empty if it was not
   std::size_t edges = 0;  ///< the number of edges in the file
   std::int64_t skipped_lines = 0;
   std::int64_t indefinite_edges = 0;
