@@ -234,7 +234,8 @@ class Commands(ViewCase):
         viewer.command(first.token, type="optimize")
         for stream in (first, second):
             stream.read_until(lambda s: s.run and s.run["status"] == "converged" and s.frame[0]["iteration"] > 0)
-        third = viewer.stream()  # as after a reload
+        third = viewer.stream()  # as after a reload; it begins with the kept frames of the run
+        third.read_until(lambda s: s.run and s.frame[0]["sequence"] == first.frame[0]["sequence"])
         for stream in (second, third):
             self.assertEqual((stream.rows, stream.state["chi2"], stream.frame), (first.rows, first.state["chi2"], first.frame))
 
