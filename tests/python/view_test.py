@@ -49,13 +49,16 @@ def fetch(url):
 
 
 def arrays_of_frame(viewer):
-    """The names of the arrays of the newest frame."""
+    """The names of the arrays of the newest frame. A stream begins with the kept frames of the run, one after the other."""
+    arrays = None
     with urllib.request.urlopen(viewer.url + "stream", timeout=20) as stream:
         while True:
             size, kind = struct.unpack("<II", stream.read(8))
             payload = stream.read(size)
             if kind == FRAME:
-                return set(json.loads(payload[4:4 + int.from_bytes(payload[:4], "little")])["arrays"])
+                arrays = set(json.loads(payload[4:4 + int.from_bytes(payload[:4], "little")])["arrays"])
+            elif arrays is not None:
+                return arrays
 
 
 class Page:
