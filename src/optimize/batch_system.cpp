@@ -294,13 +294,20 @@ StepResult BatchSystem::solve_without_gauge(const StepDamping& damping, std::spa
       gauge_.solve({.once = [&] { return solve_once(damping, step); },
                     .lost_pivot = [&] { return std::pair(failed_block_, failed_scalar_); },
                     .held_are_free = [&] { return held_are_free(damping, step); }});
-  if (result.status == LinearStatus::kOk)
-    gauge_.for_each_held(damping.lambda, [&](std::uint32_t i) { step[i] = 0; });
+  if (result.status != LinearStatus::kOk) return result;
+  gauge_.for_each_held(damping.lambda, [&](std::uint32_t i) { step[i] = 0; });
+  if (!has_factor_ || !stores_all_columns()) return result;
+  const ScopedTimer adder(timings_->solve_s);
+  const auto apply_inverse = [&](const double* b, double* x) {
+    return solver_.solve(b, 1, x, control_).status == LinearStatus::kOk;
+  };
+  gauge_.shorten(diagonal(), damping.lambda, apply_inverse, step);
   return result;
 }
 
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   StepResult result = {LinearStatus::kNotPositiveDefinite};
+  has_factor_ = false;
   if (!is_precise_) result = factorize_and_solve(damping, step);
   const bool is_lost = result.status == LinearStatus::kNotPositiveDefinite;
   if (is_precise_ || (is_lost && precise_.is_stiff() && precise_.affordable_steps() > 0))
@@ -378,6 +385,7 @@ StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::spa
   const SolveResult solved = solve_factorized(step);
   if (solved.status == LinearStatus::kNotPositiveDefinite)
     return failed(solved.status, solved.failed_block, solved.failed_scalar);
+  has_factor_ = solved.status == LinearStatus::kOk && solved.exact;
   const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is usable
   return {usable ? LinearStatus::kOk : solved.status, solved.iterations, solved.exact};
 }

@@ -159,6 +159,7 @@ class BatchSystem final : public System {
   double step_in_deviations_ = 0;
   PreciseSolver precise_;
   bool is_precise_ = false;
+  bool has_factor_ = false;   // whether the linear solver has a factor of the matrix of the last solve_once()
   bool stopped_ = false;      // of stopped()
   bool is_complete_ = false;  // whether the last linearization was not stopped
   bool changes_bounds_ = false;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/gauge_removal.h"
 
+#include <Eigen/QR>
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace boxplus {
@@ -34,6 +36,48 @@ StepResult GaugeRemoval::solve(const Solver& solver) {
     result = solver.once();
   }
   return result.status == LinearStatus::kNotPositiveDefinite ? hold_or_damp(result, solver) : result;
+}
+
+/// Those of the plan's held_scalars that belong to vertices with a frame.
+std::vector<std::uint32_t> GaugeRemoval::turning_scalars() const {
+  const std::vector<std::uint32_t>& offset = plan_->structure.offset;
+  std::vector<std::uint32_t> result;
+  std::ranges::copy_if(plan_->held_scalars, std::back_inserter(result), [&](std::uint32_t i) {
+    const auto block = std::ranges::upper_bound(offset, i) - offset.begin() - 1;
+    const VertexRef vertex = plan_->block_vertex[static_cast<std::size_t>(block)];
+    detail::Frame frame;
+    return graph_->vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame);
+  });
+  return result;
+}
+
+/// With H t = 0, the solution of (H + c e eᵀ) x = c e is x = t / (eᵀt).
+void GaugeRemoval::shorten(std::span<const double> diagonal, double lambda,
+                           detail::FunctionRef<bool(const double* b, double* x)> apply_inverse,
+                           std::span<double> step) const {
+  constexpr std::size_t kMost = 16;  // each of them costs a solution
+  if (!current_.holds_scalars_of(*plan_, lambda)) return;
+  const std::vector<std::uint32_t> held = turning_scalars();
+  if (held.empty() || held.size() > kMost) return;
+  const auto n = static_cast<Eigen::Index>(step.size());
+  Eigen::MatrixXd motions(n, static_cast<Eigen::Index>(held.size()));
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(n);
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    unit[held[k]] = diagonal[held[k]];
+    if (!apply_inverse(unit.data(), motions.col(static_cast<Eigen::Index>(k)).data())) return;
+    unit[held[k]] = 0;
+  }
+  Eigen::VectorXd weights(n);
+  for (std::uint32_t block = 0; block < plan_->structure.blocks(); ++block) {
+    const std::uint32_t first = plan_->structure.offset[block], dim = plan_->structure.dim(block);
+    weights.segment(first, dim)
+        .setConstant(Eigen::Map<const Eigen::VectorXd>(diagonal.data() + first, dim).mean());
+  }
+  Eigen::Map<Eigen::VectorXd> x(step.data(), n);
+  const Eigen::MatrixXd weighted = weights.asDiagonal() * motions;
+  const Eigen::VectorXd shares =
+      (motions.transpose() * weighted).completeOrthogonalDecomposition().solve(weighted.transpose() * x);
+  if (shares.allFinite()) x -= motions * shares;
 }
 
 /// Holds directions whose pivots vanish. If that does not help, damps.

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "boxplus/base/function_ref.h"
 #include "boxplus/optimize/system.h"
@@ -41,6 +43,16 @@ class GaugeRemoval {
   /// Solves, and changes the treatment until H is positive definite.
   StepResult solve(const Solver& solver);
 
+  /// Makes a step as short as the motions allow that the plan's held_scalars remove. Its length is in units
+  /// of the mean entry of the diagonal of H of each vertex, which does not depend on the axes of the vertex.
+  /// A step that is zero in a held direction is much too long if a free motion hardly changes this direction:
+  /// a point that may turn around another one moves along y on one side of it, and along x on the next.
+  /// Directions of vertices without a frame, such as a focal length, do not turn, and stay held.
+  /// apply_inverse(b, x) solves with the matrix of the step, and returns false if it cannot.
+  void shorten(std::span<const double> diagonal, double lambda,
+               detail::FunctionRef<bool(const double* b, double* x)> apply_inverse,
+               std::span<double> step) const;
+
   /// The fraction of itself that is added to each diagonal entry.
   double fraction() const;
   bool holds_any(double lambda) const {
@@ -58,6 +70,7 @@ class GaugeRemoval {
   bool has_other_types() const;
 
  private:
+  std::vector<std::uint32_t> turning_scalars() const;
   StepResult hold_or_damp(StepResult result, const Solver& solver);
 
   const Graph* graph_;

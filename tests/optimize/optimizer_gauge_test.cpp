@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "boxplus/manifold/sim3.h"
 #include "linear/every_solver.h"
 #include "optimize/small_graphs.h"
@@ -211,6 +213,63 @@ TEST(Gauge, IsNoLongerHeldWhenAMotionThatWasFreeAtTheStartIsMeasured) {
     EXPECT_LT(report.chi2_final, 1e-9) << report;
     const Report second = optimize(graph, {.algorithm = algorithm});
     EXPECT_LT(second.chi2_final, 1e-9) << second;
+  }
+}
+
+/// Points of which only distances from each other are known, and from a fixed one if `anchored`. They start
+/// up to `noise` away from points at these distances.
+template <int kDim>
+void add_distances(Graph& graph, int points, bool anchored, double noise, std::mt19937& random) {
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto vector = [&] {
+    Vector<double, kDim> v;
+    for (int i = 0; i < kDim; ++i) v[i] = coordinate(random);
+    return v;
+  };
+  std::vector<Vector<double, kDim>> truth(1, Vector<double, kDim>::Zero());
+  for (int k = 1; k < points; ++k) truth.push_back(vector());
+  std::vector<VertexHandle<Vector<double, kDim>>> vertices;
+  for (const auto& point : truth) vertices.push_back(graph.add_vertex((point + noise * vector()).eval()));
+  if (anchored) graph.set_estimate(vertices[0], truth[0]);
+  graph.set_fixed(vertices[0], anchored);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = (truth[i] - truth[j]).norm();
+      graph.add_edge([distance](const auto& a, const auto& b) { return (b - a).norm() - distance; },
+                     vertices[j], vertices[i]);
+    }
+  }
+}
+
+TEST(Gauge, DirectionsThatAreHeldAtTheStartMayBeNeededLater) {
+  for (const auto algorithm :
+       {AlgorithmKind::kGaussNewton, AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
+    for (const Vector2& start :
+         {Vector2(1.3, 1.1), Vector2(-1.3, 1.1), Vector2(0.5, 0.3), Vector2(0.01, 2)}) {
+      Graph graph;
+      const auto anchor = graph.add_vertex(SE2());
+      graph.fix(anchor);
+      const auto point = graph.add_vertex(start);
+      graph.add_edge(Range(0.44), anchor, point);
+      const Report report = optimize(graph, {.algorithm = algorithm});
+      EXPECT_TRUE(report.converged()) << report;
+      EXPECT_LT(report.chi2_final, 1e-20) << start.transpose();
+      EXPECT_LE(report.iterations, 30) << report;
+    }
+  }
+}
+
+TEST(Gauge, OfPointsAtKnownDistancesDelaysNoTrustRegion) {
+  std::mt19937 random(7);
+  for (int problem = 0; problem < 200; ++problem) {
+    Graph plane, space;
+    add_distances<2>(plane, 2 + problem % 4, problem % 3 == 0, 0.3, random);
+    add_distances<3>(space, 2 + problem % 4, problem % 3 == 0, 0.3, random);
+    for (Graph* graph : {&plane, &space}) {
+      const Report report = optimize(*graph, {.algorithm = AlgorithmKind::kDogleg});
+      EXPECT_TRUE(report.converged()) << problem << report;
+      EXPECT_LE(report.iterations, 30) << problem;
+    }
   }
 }
 

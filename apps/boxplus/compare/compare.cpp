@@ -17,7 +17,7 @@
 namespace boxplus::app {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kCompareFooter =
     "The poses of two graphs are matched by id. The images of two COLMAP models are matched by name. The\n"
     "cameras of two BAL problems, or of a BAL problem and a COLMAP model, are matched by position, which\n"
     "needs equally many of them, or by name if the images are named 0, 1, ..., like the cameras.\n"
@@ -148,7 +148,7 @@ void add_compare(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("compare", "Measures the distance of a trajectory from the truth: ATE and RPE");
   add_options(*command, *arguments);
-  command->footer(kFooter);
+  command->footer(kCompareFooter);
   command->callback([&action, arguments] {
     if (arguments->scale && arguments->alignment != AlignmentKind::kRigid)
       throw CLI::RequiresError("--scale", "--align rigid");

@@ -8,7 +8,7 @@ namespace boxplus::app {
 namespace {
 
 /// Escapes text for a specification of zsh's _arguments in single quotes.
-std::string quoted(const std::string& text) {
+std::string escaped_for_zsh(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '\'') {
@@ -25,7 +25,7 @@ std::string quoted(const std::string& text) {
 std::string action_of(const OptionDescription& option) {
   if (!option.choices.empty()) {
     std::vector<std::string> words;
-    for (const std::string& choice : option.choices) words.push_back(quoted(choice));
+    for (const std::string& choice : option.choices) words.push_back(escaped_for_zsh(choice));
     return fmt::format("({})", fmt::join(words, " "));
   }
   const bool is_file = option.positional || option.value == "FILE" || option.value == "TEXT";
@@ -36,13 +36,14 @@ std::string specifications(const CommandDescription& command) {
   std::string text;
   for (const OptionDescription& option : command.options) {
     if (option.positional) {
-      text += fmt::format(" \\\n        '{}:{}:{}'", option.required ? "" : ":", quoted(option.names[0]),
-                          action_of(option));
+      text += fmt::format(" \\\n        '{}:{}:{}'", option.required ? "" : ":",
+                          escaped_for_zsh(option.names[0]), action_of(option));
       continue;
     }
     for (const std::string& name : option.names) {
-      text += fmt::format(" \\\n        '{}[{}]", name, quoted(option.text));
-      text += option.value.empty() ? "'" : fmt::format(":{}:{}'", quoted(option.value), action_of(option));
+      text += fmt::format(" \\\n        '{}[{}]", name, escaped_for_zsh(option.text));
+      text += option.value.empty() ? "'"
+                                   : fmt::format(":{}:{}'", escaped_for_zsh(option.value), action_of(option));
     }
   }
   return text;
@@ -70,7 +71,7 @@ if [[ $zsh_eval_context[-1] == loadautofunc ]]; then _boxplus "$@"; else compdef
 std::string zsh_completion(const CommandDescription& root) {
   std::string commands, branches;
   for (const CommandDescription& command : root.commands) {
-    commands += fmt::format("\n      '{}:{}'", command.name, quoted(command.text));
+    commands += fmt::format("\n      '{}:{}'", command.name, escaped_for_zsh(command.text));
     branches += fmt::format("      {}) _arguments{} ;;\n", command.name, specifications(command));
   }
   return fmt::format(kScript, specifications(root), commands, branches);

@@ -25,7 +25,7 @@
 namespace boxplus::app {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kPlotFooter =
     "The trajectory connects the poses in the order of their ids. The colors of loop closures and\n"
     "observations show their chi2 per row: gray up to 1, because noise explains such values, and darker\n"
     "for larger values. Both panels have the same color scale.\n"
@@ -162,7 +162,7 @@ void add_plot(CLI::App& app, Action& action) {
       "plot",
       "Draws one graph, or two graphs side by side, as an SVG, PDF or PNG picture; or one graph as a page");
   add_plot_options(*command, *arguments);
-  command->footer(kFooter);
+  command->footer(kPlotFooter);
   command->callback([&action, arguments, command] {
     action = [arguments, command] { return plot_files(*arguments, *command); };
   });

@@ -14,7 +14,7 @@
 namespace boxplus::app {
 namespace {
 
-constexpr const char* kGroup = "World ba";
+constexpr const char* kBundleGroup = "World ba";
 
 Choices<BundleShape> shapes_by_name() {
   Choices<BundleShape> shapes;
@@ -27,7 +27,7 @@ CLI::Option* add_factor(CLI::App& command, const char* name, double& value, cons
       ->type_name("X")
       ->check(number_within(0, 1000))
       ->capture_default_str()
-      ->group(kGroup);
+      ->group(kBundleGroup);
 }
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
@@ -54,12 +54,12 @@ std::vector<CLI::Option*> add_bundle_options(CLI::App& command, BundleArguments&
         ->type_name("N")
         ->check(whole_number_within(least, most))
         ->capture_default_str()
-        ->group(kGroup);
+        ->group(kBundleGroup);
   };
   return {
       add_choice(command, "--shape", arguments.shape, shapes_by_name(),
                  "The arrangement of the cameras (see below)")
-          ->group(kGroup),
+          ->group(kBundleGroup),
       add_count("--cameras", options.cameras, 2, 10'000'000, "The number of cameras"),
       add_count("--points", options.points, 1, 100'000'000, "The number of points"),
       command
@@ -69,7 +69,7 @@ std::vector<CLI::Option*> add_bundle_options(CLI::App& command, BundleArguments&
           ->type_name("X")
           ->check(number_within(2, 1000))
           ->capture_default_str()
-          ->group(kGroup),
+          ->group(kBundleGroup),
       add_factor(command, "--pose-noise", options.pose_noise,
                  "The errors of the initial poses; 1: standard deviations of 0.1 m and 0.5° per axis"),
       add_factor(command, "--point-noise", options.point_noise,

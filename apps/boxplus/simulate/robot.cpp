@@ -14,7 +14,7 @@
 namespace boxplus::app {
 namespace {
 
-constexpr const char* kGroup = "Worlds robot2d and robot3d";
+constexpr const char* kRobotGroup = "Worlds robot2d and robot3d";
 
 template <class Sensors>
 typename Sensors::value_type sensor_of(const std::string& name, const Sensors& all) {
@@ -48,17 +48,17 @@ std::vector<CLI::Option*> add_robot_options(CLI::App& command, RobotArguments& a
           ->type_name("NAME,...")
           ->delimiter(',')
           ->default_str("points")
-          ->group(kGroup),
+          ->group(kRobotGroup),
       command.add_option("--world-size", arguments.world_size, "The side of the square world in meters")
           ->type_name("X")
           ->check(number_within(4, 1e6))
           ->capture_default_str()
-          ->group(kGroup),
+          ->group(kRobotGroup),
       command.add_option("--landmarks", arguments.landmarks, "The number of landmarks in the world")
           ->type_name("N")
           ->check(whole_number_within(0, 10'000'000))
           ->capture_default_str()
-          ->group(kGroup)};
+          ->group(kRobotGroup)};
 }
 
 Simulation simulate_robot_world(bool in_space, const RobotArguments& arguments,

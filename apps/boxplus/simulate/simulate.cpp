@@ -21,7 +21,7 @@
 namespace boxplus::app {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSimulateFooter =
     "3D worlds:\n"
     "  sphere     winds around a sphere from pole to pole, with loop closures to the previous lap\n"
     "  torus      winds around a torus, with the same loop closures; the last lap meets the first\n"
@@ -57,18 +57,18 @@ constexpr const char* kFooter =
 
 /// What is not one of the worlds of simulate().
 enum class Special { kRobotInPlane, kRobotInSpace, kBundle };
-using Scene = std::variant<World, Special>;
+using SceneChoice = std::variant<World, Special>;
 
 struct SimulateArguments {
-  Scene scene = World::kSphere;
+  SceneChoice scene = World::kSphere;
   std::string output, truth;
   SimulationOptions options;
   BundleArguments bundle;
   RobotArguments robot;
 };
 
-Choices<Scene> scenes_by_name() {
-  Choices<Scene> scenes;
+Choices<SceneChoice> scenes_by_name() {
+  Choices<SceneChoice> scenes;
   for (World world : kWorlds) scenes.emplace_back(to_string(world), world);
   scenes.emplace_back("robot2d", Special::kRobotInPlane);
   scenes.emplace_back("robot3d", Special::kRobotInSpace);
@@ -76,14 +76,14 @@ Choices<Scene> scenes_by_name() {
   return scenes;
 }
 
-bool observes_landmarks(const Scene& scene) {
-  return scene == Scene(World::kCity) || scene == Scene(World::kPlanes) || scene == Scene(World::kLines) ||
-         std::holds_alternative<Special>(scene);
+bool observes_landmarks(const SceneChoice& scene) {
+  return scene == SceneChoice(World::kCity) || scene == SceneChoice(World::kPlanes) ||
+         scene == SceneChoice(World::kLines) || std::holds_alternative<Special>(scene);
 }
 
 Simulation simulated(const SimulateArguments& arguments) {
   if (const World* world = std::get_if<World>(&arguments.scene)) return simulate(*world, arguments.options);
-  const bool in_space = arguments.scene == Scene(Special::kRobotInSpace);
+  const bool in_space = arguments.scene == SceneChoice(Special::kRobotInSpace);
   return simulate_robot_world(in_space, arguments.robot, arguments.options);
 }
 
@@ -180,12 +180,12 @@ void add_simulate(CLI::App& app, Action& action) {
       ->type_name("X")
       ->check(number_within(0, 1))
       ->capture_default_str();
-  command->footer(kFooter);
+  command->footer(kSimulateFooter);
   const std::vector<CLI::Option*> bundle = add_bundle_options(*command, arguments->bundle);
   const std::vector<CLI::Option*> robot = add_robot_options(*command, arguments->robot);
   command->callback([&action, arguments, poses, bundle, robot] {
     action = [arguments, poses, bundle, robot] {
-      const bool is_bundle = arguments->scene == Scene(Special::kBundle);
+      const bool is_bundle = arguments->scene == SceneChoice(Special::kBundle);
       if (is_bundle || std::holds_alternative<World>(arguments->scene))
         refuse(robot, "the worlds robot2d and robot3d");
       if (!is_bundle) {
