@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "boxplus/base/error.h"
 #include "io/characters.h"
@@ -99,11 +100,20 @@ void FieldReader::numbers(double* out, int count, std::string_view what) {
 std::int64_t FieldReader::integer_from_text(std::string_view what) {
   const std::string_view text = token(what);
   std::int64_t value = 0;
+  bool is_too_large = false;
   const bool read = is_all_of(text, [&](const char* begin, const char* end) {
     const auto result = std::from_chars(begin, end, value);
+    is_too_large = result.ec == std::errc::result_out_of_range && result.ptr == end;
     return std::pair(result.ptr, result.ec);
   });
-  if (!read) refuse(position_ - text.size(), fmt::format("{} (an integer)", what), text);
+  if (!read) {
+    using Limits = std::numeric_limits<std::int64_t>;
+    std::string limit;
+    if (is_too_large)
+      limit =
+          text[0] == '-' ? fmt::format(" from {}", Limits::min()) : fmt::format(" up to {}", Limits::max());
+    refuse(position_ - text.size(), fmt::format("{} (an integer{})", what, limit), text);
+  }
   return value;
 }
 

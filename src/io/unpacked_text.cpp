@@ -19,8 +19,6 @@ namespace {
 
 /// Longer texts are in a temporary file.
 constexpr std::size_t kLongestInMemory = std::size_t{1} << 26;
-/// A small file can unpack to a thousand times its size, and must not fill the disk.
-constexpr std::size_t kLongest = std::size_t{1} << 36;
 
 FileDescriptor make_temporary(const std::string& path) {
   std::error_code none;
@@ -38,12 +36,18 @@ FileDescriptor make_temporary(const std::string& path) {
 /// Collects the text.
 class Unpacker {
  public:
-  explicit Unpacker(const std::string& path) : path_(path) {}
+  Unpacker(const std::string& path, const UnpackLimits& limits) : path_(path), limits_(limits) {}
 
-  void append(std::string_view text) {
+  /// `packed` is the number of packed bytes from which all of the text so far was unpacked.
+  void append(std::string_view text, std::size_t packed) {
     result_.size += text.size();
-    if (result_.size > kLongest)
-      throw FileError(fmt::format("{}: cannot be unpacked: expected at most {} GiB", path_, kLongest >> 30));
+    if (result_.size > limits_.size)
+      throw FileError(fmt::format("{}: cannot be unpacked: expected at most {} bytes", path_, limits_.size));
+    if (result_.size > limits_.small_size && result_.size / limits_.ratio > packed)
+      throw FileError(fmt::format(
+          "{}: cannot be unpacked: expected a text that is at most {} times as long as the packed "
+          "file, got {} bytes from {} (to read it anyway, unpack it with gunzip)",
+          path_, limits_.ratio, result_.size, packed));
     if (!result_.file.is_open() && result_.size > kLongestInMemory) {
       result_.file = make_temporary(path_);
       write(std::exchange(result_.text, {}));
@@ -63,6 +67,7 @@ class Unpacker {
   }
 
   const std::string& path_;
+  const UnpackLimits& limits_;
   UnpackedText result_;
 };
 
@@ -73,7 +78,7 @@ bool begins_as_gzip(const FileDescriptor& file, const std::string& path) {
   return begins_as_gzip({bytes, read_at(file, path, 0, bytes, sizeof bytes)});
 }
 
-UnpackedText unpack(const FileDescriptor& file, const std::string& path) {
+UnpackedText unpack(const FileDescriptor& file, const std::string& path, const UnpackLimits& limits) {
   std::string memory(std::size_t{1} << 17, '\0');
   std::size_t offset = 0;
   const auto next = [&]() -> std::string_view {
@@ -81,15 +86,16 @@ UnpackedText unpack(const FileDescriptor& file, const std::string& path) {
     offset += count;
     return {memory.data(), count};
   };
-  Unpacker unpacker(path);
-  unpack_gzip(path, next, [&](std::string_view text) { unpacker.append(text); });
+  Unpacker unpacker(path, limits);
+  unpack_gzip(path, next, [&](std::string_view text) { unpacker.append(text, offset); });
   return unpacker.take();
 }
 
-UnpackedText unpack(std::string_view packed, const std::string& path) {
+UnpackedText unpack(std::string_view packed, const std::string& path, const UnpackLimits& limits) {
+  const std::size_t size = packed.size();
   const auto next = [&] { return std::exchange(packed, {}); };
-  Unpacker unpacker(path);
-  unpack_gzip(path, next, [&](std::string_view text) { unpacker.append(text); });
+  Unpacker unpacker(path, limits);
+  unpack_gzip(path, next, [&](std::string_view text) { unpacker.append(text, size); });
   return unpacker.take();
 }
 

@@ -17,11 +17,20 @@ struct UnpackedText {
   FileDescriptor file;  ///< may be read from any offset
 };
 
+/// What is unpacked at most.
+struct UnpackLimits {
+  std::size_t size = std::size_t{1} << 36;  ///< bytes; a packed file must not fill the disk
+  /// A text of more than `small_size` bytes must not be more than `ratio` times as long as its packed form.
+  /// Graphs have ratios below 30, but a packed file of 10 MB can also hold 10 GB of empty lines.
+  std::size_t small_size = std::size_t{1} << 28;
+  std::size_t ratio = 200;
+};
+
 bool begins_as_gzip(const FileDescriptor& file, const std::string& path);
 
-/// Both throw FileError, with `path` as the name of the packed file, if the file is damaged, if the text has
-/// more than 64 GiB, or if there is no room for the temporary file.
-UnpackedText unpack(const FileDescriptor& file, const std::string& path);
-UnpackedText unpack(std::string_view packed, const std::string& path);
+/// Both throw FileError, with `path` as the name of the packed file, if the file is damaged, if the text
+/// exceeds the limits, or if there is no room for the temporary file.
+UnpackedText unpack(const FileDescriptor& file, const std::string& path, const UnpackLimits& limits = {});
+UnpackedText unpack(std::string_view packed, const std::string& path, const UnpackLimits& limits = {});
 
 }  // namespace boxplus

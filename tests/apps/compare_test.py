@@ -219,6 +219,16 @@ class CompareTest(CommandCase):
         for text in ("<stdin> against", "5 of 5 poses", "ATE [m]", "RPE [deg]", "best rigid alignment", "from pose to pose"):
             self.assertIn(text, done.stdout)
 
+    def test_lenient_reading_skips_malformed_lines_of_tum_files(self):
+        good = tum(PLACES, range(5))
+        bad = good.replace("1 1 0 0.5", "1 nan nan nan")
+        self.assert_refused(run("compare", self.written("result", bad), self.written("truth", good)), "result:3:3: expected x (a finite number), got 'nan'")
+        for result, truth in ((bad, good), (good, bad)):
+            done = run("compare", "--lenient", self.written("result", result), self.written("truth", truth))
+            self.assertEqual(done.returncode, 0)
+            self.assertIn(":3:3: skipped: expected x (a finite number), got 'nan'", done.stderr)
+            self.assertIn("4 of ", done.stdout)
+
     def test_input_that_cannot_be_compared_is_refused_and_the_message_names_the_place(self):
         good, flat = tum(PLACES, range(5)), graph(PLACES)
         space = "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
@@ -243,6 +253,13 @@ class CompareTest(CommandCase):
                 done = run("compare", self.written("result", result), self.written("truth", truth), *options)
                 self.assert_refused(done, text)
         self.assert_refused(run("compare", "-", "-"), "'-' twice")
+        euroc = "#timestamp, p_RS_R_x [m]\n1403636579758555392,4.6,-1.7,0.7,0.5,-0.1,-0.8,-0.1\n"
+        kitti = "1 0 0 0 0 1 0 0 0 0 1 0\n"
+        for result, place, text in ((euroc, "2:1", "values with commas"), ("t,x,y,z\n1,2,3,4\n", "1:1", "values with commas"),
+                                    (kitti, "1:1", "12 numbers")):
+            with self.subTest(result):
+                done = run("compare", "--lenient", self.written("result", result), self.written("truth", good))
+                self.assert_refused(done, f"result:{place}: expected a TUM file, with lines of the form 'time x y z qx qy qz qw', got {text}")
         truth = self.written("truth", flat)
         self.assert_refused(run("compare", truth, self.path / "none"), "none: cannot be opened")
         self.assert_refused(run("compare", truth, truth, "--json", truth), "expected a file other than the input")

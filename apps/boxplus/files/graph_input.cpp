@@ -195,18 +195,22 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options) {
 }
 
 void print_notes(const GraphFile& file, const std::string& path) {
+  print_notes(file.notes, path);
+}
+
+void print_notes(const std::vector<GraphFile::Note>& notes, const std::string& path) {
   constexpr std::size_t kShown = 10;
   const std::string name = input_name(path);
-  for (std::size_t k = 0; k < std::min(kShown, file.notes.size()); ++k) {
-    const GraphFile::Note& note = file.notes[k];
+  for (std::size_t k = 0; k < std::min(kShown, notes.size()); ++k) {
+    const GraphFile::Note& note = notes[k];
     std::string place = name;
     for (const std::int64_t number : {note.line, note.column}) {
       if (number > 0) place += fmt::format(":{}", number);
     }
     print_message(fmt::format("{}: {}{}", place, note.skipped ? "skipped: " : "", note.text));
   }
-  if (file.notes.size() > kShown)
-    print_message(fmt::format("{}: … and {} more notes", name, file.notes.size() - kShown));
+  if (notes.size() > kShown)
+    print_message(fmt::format("{}: … and {} more notes", name, notes.size() - kShown));
 }
 
 void require_representable(const std::string& path, const GraphFile& file) {

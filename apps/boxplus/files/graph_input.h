@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "boxplus/io/graph_file.h"
 
@@ -37,6 +38,7 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
 /// Prints one message per note. If there are many notes, prints only the first ones and the number of all
 /// others.
 void print_notes(const GraphFile& file, const std::string& path);
+void print_notes(const std::vector<GraphFile::Note>& notes, const std::string& path);
 
 /// Throws InvalidArgument or FileError if the graph cannot be written to `path` in the format that
 /// save_graph() uses, as far as this can be checked without writing. Call it before a long computation.

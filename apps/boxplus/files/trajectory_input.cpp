@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/trajectory_input.h"
 
+#include <vector>
+
 #include "files/graph_input.h"
 #include "trajectory/tum.h"
 
@@ -17,7 +19,12 @@ GraphFile parse_with_notes(const std::string& text, const std::string& path, con
 
 Trajectory read_trajectory(const std::string& path, const ReadOptions& reading) {
   const std::string text = read_text(path), name = input_name(path);
-  return is_tum(text) ? parse_tum(text, name) : trajectory_of(parse_with_notes(text, path, reading), name);
+  refuse_other_trajectory(text, name);
+  if (!is_tum(text)) return trajectory_of(parse_with_notes(text, path, reading), name);
+  std::vector<GraphFile::Note> skipped;
+  const Trajectory trajectory = parse_tum(text, name, reading.lenient ? &skipped : nullptr);
+  print_notes(skipped, path);
+  return trajectory;
 }
 
 GraphFile read_truth(const std::string& path, const ReadOptions& reading) {

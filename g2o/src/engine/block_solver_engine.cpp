@@ -347,9 +347,8 @@ bool BlockSolverEngine::State::complain(LinearStatus status, std::uint32_t faile
   }
   const char* more = !not_definite         ? ""
                      : settings.indefinite ? ", and it is singular"
-                                           : "; only Gauss-Newton with LinearSolverCholmod solves indefinite "
-                                             "systems, such as those of equality constraints with Lagrange "
-                                             "multipliers";
+                                           : "; only LinearSolverCholmod solves indefinite systems, such as "
+                                             "those of equality constraints with Lagrange multipliers";
   const auto level = std::exchange(complained, true) ? logging::Level::kWarn : logging::Level::kError;
   logging::format_and_log(level, "{}{}", reason(status, failed_block), more);
   return false;

@@ -12,8 +12,9 @@ namespace boxplus {
 /// the line is wrong, the function throws InputError and changes nothing.
 class ElementReader {
  public:
-  /// `graph` and `unknown` must outlive this object.
-  ElementReader(Graph& graph, const UnknownTags& unknown) : graph_(graph), ids_(graph, unknown) {}
+  /// All arguments must outlive this object.
+  ElementReader(Graph& graph, const UnknownTags& unknown, const Registry& registry)
+      : graph_(graph), ids_(graph, unknown, registry) {}
 
   /// Reads a vertex or a parameter. Returns its id.
   Id read_vertex(const Tag& tag, FieldReader& in);

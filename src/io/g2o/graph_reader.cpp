@@ -36,7 +36,7 @@ class GraphReader {
       : text_(text),
         options_(options),
         tags_(options.registry ? *options.registry : default_registry(), options.renames),
-        elements_(file_.graph, unknown_) {}
+        elements_(file_.graph, unknown_, tags_.registry()) {}
 
   GraphFile read() {
     prepare_and_consume<LineBlock>(
@@ -82,6 +82,7 @@ class GraphReader {
         return take_fix(line);
       case Line::Kind::kUnknown:
         if (data_tag_of(line.text).empty()) {
+          refuse_tag_with_blanks(line);
           unknown_.add(line.text, line.number);
         } else if (is_owner_skipped_) {
           fields_of(line).fail({}, "the line before it, to which this data belongs, was skipped");
@@ -90,6 +91,21 @@ class GraphReader {
       case Line::Kind::kComment:
         if (place_ == GraphFile::KeptLine::Place::kAfterEdge && !waiting_.empty()) return wait(line);
         keep(line);
+    }
+  }
+
+  /// Throws InputError if the fields at the beginning of the line make up a known tag, such as
+  /// "VERTEX_SE3 : QUAT".
+  void refuse_tag_with_blanks(const Line& line) const {
+    constexpr int kMostParts = 3;
+    FieldReader in(text_.name(), line.number, line.text);
+    std::string tag(in.token("a tag")), given = tag;
+    for (int parts = 1; parts < kMostParts && !in.at_end(); ++parts) {
+      const std::string part(in.token("a part of the tag"));
+      tag += part;
+      given += ' ' + part;
+      if (tag.find(':') != std::string::npos && tags_.find(tag) != nullptr)
+        in.fail({}, fmt::format("expected the tag {} without blanks, got '{}'", tag, given));
     }
   }
 

@@ -27,6 +27,7 @@ class TagLookup {
     const auto renamed = renames_.find(tag);
     return registry_.find(renamed == renames_.end() ? tag : renamed->second);
   }
+  const Registry& registry() const { return registry_; }
 
  private:
   const Registry& registry_;

@@ -16,6 +16,18 @@ std::string repetition(bool is_parameter, Id id) {
   return fmt::format("expected different vertices, but {} {} appears twice", kind_of(is_parameter), id);
 }
 
+/// Says which tags define a parameter of the type of the argument. Empty if the argument is a vertex.
+std::string definition_of(const Registry& registry, const Tag::Argument& argument) {
+  std::string tags;
+  if (!argument.is_parameter) return tags;
+  for (const std::string& name : registry.names()) {
+    const Tag& tag = *registry.find(name);
+    if (tag.kind == Tag::Kind::kParameter && tag.written && tag.pool == argument.pool)
+      tags += (tags.empty() ? "" : " or ") + name;
+  }
+  return tags.empty() ? tags : fmt::format("; parameters of its type have the tag {}", tags);
+}
+
 }  // namespace
 
 VertexIds::Result VertexIds::read_of_edge(const Tag& tag, FieldReader& in) {
@@ -47,7 +59,7 @@ VertexIds::Result VertexIds::read_one(const Tag::Argument& argument, FieldReader
     vertices_.push_back({});
     return Result::kKnown;
   }
-  if (!found) fail_unknown(place, id, is_parameter, in);
+  if (!found) fail_unknown(place, id, is_parameter, in, definition_of(registry_, argument));
   const detail::VertexPool& pool = *graph_.vertex_pools()[found->pool];
   if (std::type_index(typeid(pool)) != argument.pool) {
     in.fail(place, fmt::format("expected the id of a {0} of type {1}, but {0} {2} is a {3}",
@@ -82,9 +94,12 @@ bool VertexIds::read_to_end(FieldReader& in) {
   return true;
 }
 
-void VertexIds::fail_unknown(FieldPlace place, Id id, bool is_parameter, const FieldReader& in) const {
+/// `remedy` says how to define the vertex. It is only shown if the file does not give the reason itself.
+void VertexIds::fail_unknown(FieldPlace place, Id id, bool is_parameter, const FieldReader& in,
+                             const std::string& remedy) const {
+  const std::string reason = unknown_.reason_for_missing(id, is_parameter);
   in.fail(place, fmt::format("expected the id of a {0}, but there is no {0} {1}{2}", kind_of(is_parameter),
-                             id, unknown_.reason_for_missing(id, is_parameter)));
+                             id, reason.empty() ? remedy : reason));
 }
 
 const Tag& VertexIds::merge_shared_parameter(const Tag& tag) {

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/io/field_reader.h"
+#include "boxplus/io/registry.h"
 #include "boxplus/io/tag.h"
 #include "io/g2o/unknown_tags.h"
 
@@ -15,8 +17,9 @@ namespace boxplus {
 /// Reads the ids of vertices and parameters that a line refers to.
 class VertexIds {
  public:
-  /// `graph` and `unknown` must outlive this object.
-  VertexIds(Graph& graph, const UnknownTags& unknown) : graph_(graph), unknown_(unknown) {}
+  /// All arguments must outlive this object. Messages name tags of the registry.
+  VertexIds(Graph& graph, const UnknownTags& unknown, const Registry& registry)
+      : graph_(graph), unknown_(unknown), registry_(registry) {}
 
   /// Call this after the last vertex has been read. From then on, an id that is not in the graph is an error.
   /// However, if `create` is true, reading an edge with such an id creates a vertex with that id.
@@ -51,10 +54,12 @@ class VertexIds {
 
   Result read_one(const Tag::Argument& argument, FieldReader& in);
   void create_missing(const Tag& tag, FieldReader in);
-  [[noreturn]] void fail_unknown(FieldPlace place, Id id, bool is_parameter, const FieldReader& in) const;
+  [[noreturn]] void fail_unknown(FieldPlace place, Id id, bool is_parameter, const FieldReader& in,
+                                 const std::string& remedy = {}) const;
 
   Graph& graph_;
   const UnknownTags& unknown_;
+  const Registry& registry_;
   bool all_known_ = false, create_ = false;
   std::int64_t created_ = 0;
   std::vector<VertexRef> vertices_, sorted_;

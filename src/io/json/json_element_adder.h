@@ -22,7 +22,7 @@ class JsonElementAdder {
  public:
   /// `tags` must outlive this object.
   JsonElementAdder(Graph& graph, const TagLookup& tags, ReadOptions::Indefinite policy)
-      : graph_(graph), tags_(tags), elements_(graph, unknown_), policy_(policy) {}
+      : graph_(graph), tags_(tags), elements_(graph, unknown_, tags.registry()), policy_(policy) {}
 
   /// Adds a vertex or a parameter.
   void add_vertex(const JsonElement& element, bool is_parameter);

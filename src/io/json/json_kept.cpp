@@ -91,7 +91,7 @@ void JsonKept::check_text(const JsonKeptLine& kept, std::int64_t line_number) {
 /// Checks that a line with a known tag is an edge with the vertex −1.
 void JsonKept::check_unassigned(const JsonKeptLine& kept, const Tag& tag) const {
   const UnknownTags none;
-  VertexIds ids(file_.graph, none);
+  VertexIds ids(file_.graph, none, tags_.registry());
   ids.end_of_vertices(false);
   FieldReader in({}, 0, without_byte_order_mark(kept.line.text));
   in.token("a tag");

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Client edges that weight their terms of H and b themselves.
+// Client edges that weight their terms of H and b themselves, or that are between vertices of other classes
+// than they declare.
 #include "g2o/core/base_fixed_sized_edge.h"
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "g2o/core/base_unary_edge.h"
 #include "g2o/core/base_vertex.h"
+#include "g2o/core/block_solver.h"
+#include "g2o/core/optimization_algorithm_gauss_newton.h"
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/solvers/eigen/linear_solver_eigen.h"
 #include "g2o/types/edge_checks.h"
 
 namespace {
@@ -83,6 +93,76 @@ TEST_F(ClientWeights, ScaleTheTerms) {
   EXPECT_GT(H[0].norm(), 1);
   EXPECT_LT((H[1] - 0.25 * H[0]).norm(), 1e-12);
   EXPECT_LT((rhs[1] - 0.25 * rhs[0]).norm(), 1e-12);
+}
+
+/// Another class with the base of Numbers<3>.
+class Place : public g2o::BaseVertex<3, g2o::Vector3> {
+ public:
+  void setToOriginImpl() override { _estimate.setZero(); }
+  void oplusImpl(const double* step) override { _estimate += Eigen::Map<const g2o::Vector3>(step); }
+  bool read(std::istream&) override { return false; }
+  bool write(std::ostream&) const override { return false; }
+};
+
+/// A class with as many dimensions as Numbers<3> and another type of estimate.
+class Column : public g2o::BaseVertex<3, g2o::VectorX> {
+ public:
+  void setToOriginImpl() override { _estimate.setZero(3); }
+  void oplusImpl(const double* step) override { _estimate += Eigen::Map<const g2o::Vector3>(step); }
+  bool read(std::istream&) override { return false; }
+  bool write(std::ostream&) const override { return false; }
+};
+
+class NumbersPrior : public g2o::BaseUnaryEdge<3, g2o::Vector3, Numbers<3>> {
+ public:
+  void computeError() override {
+    _error = static_cast<const Numbers<3>*>(_vertices[0])->estimate() - _measurement;
+  }
+  bool read(std::istream&) override { return false; }
+  bool write(std::ostream&) const override { return false; }
+};
+
+/// An optimizer that owns vertex 0.
+template <class VertexType>
+struct OneVertex {
+  OneVertex() {
+    vertex->setId(0);
+    vertex->setToOrigin();
+    optimizer.addVertex(vertex);
+  }
+  g2o::SparseOptimizer optimizer;
+  VertexType* vertex = new VertexType;
+};
+
+TEST(OtherVertexClass, WithTheBaseOfTheDeclaredOneIsOptimized) {
+  OneVertex<Place> graph;
+  using Linear = g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>;
+  graph.optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
+      std::make_unique<g2o::BlockSolverX>(std::make_unique<Linear>())));
+  auto* prior = new NumbersPrior;
+  prior->setVertex(0, graph.vertex);
+  prior->setMeasurement({1, 2, 3});
+  prior->setInformation(g2o::Matrix3::Identity());
+  ASSERT_TRUE(graph.optimizer.addEdge(prior));
+  ASSERT_TRUE(graph.optimizer.initializeOptimization());
+  EXPECT_EQ(graph.optimizer.optimize(5), 5);
+  EXPECT_LT((graph.vertex->estimate() - g2o::Vector3(1, 2, 3)).norm(), 1e-9);
+}
+
+template <class VertexType>
+bool accepts_numbers_prior() {
+  OneVertex<VertexType> graph;
+  auto prior = std::make_unique<NumbersPrior>();
+  prior->setVertex(0, graph.vertex);
+  if (!graph.optimizer.addEdge(prior.get())) return false;
+  std::ignore = prior.release();  // the optimizer owns it
+  return true;
+}
+
+TEST(OtherVertexClass, WithAnotherDimensionOrEstimateIsRefused) {
+  EXPECT_TRUE(accepts_numbers_prior<Numbers<3>>());
+  EXPECT_FALSE(accepts_numbers_prior<Numbers<2>>());
+  EXPECT_FALSE(accepts_numbers_prior<Column>());
 }
 
 }  // namespace

@@ -46,6 +46,30 @@ class Optimizer : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
+/// A client's optimizer that counts the steps.
+class CountingOptimizer : public g2o::SparseOptimizer {
+ public:
+  void update(const double* step) override {
+    ++steps;
+    g2o::SparseOptimizer::update(step);
+  }
+  int steps = 0;
+};
+
+TEST(ClientOptimizer, MayOverrideUpdateWhichEveryAlgorithmCalls) {
+  for (g2o::OptimizationAlgorithm* algorithm : std::initializer_list<g2o::OptimizationAlgorithm*>{
+           new g2o::OptimizationAlgorithmGaussNewton(make_solver()),
+           new g2o::OptimizationAlgorithmLevenberg(make_solver()),
+           new g2o::OptimizationAlgorithmDogleg(make_solver())}) {
+    CountingOptimizer optimizer;
+    add_square(optimizer);
+    optimizer.setAlgorithm(algorithm);
+    optimizer.initializeOptimization();
+    EXPECT_EQ(optimizer.optimize(1), 1);
+    EXPECT_GE(optimizer.steps, 1);
+  }
+}
+
 TEST_F(Optimizer, AllAlgorithmsFindTheSameMinimum) {
   add_square(optimizer);
   optimizer.initializeOptimization();

@@ -173,6 +173,33 @@ TEST(Sba, AnAlgorithmDoesNotTakeAStepThatASimilarityRefuses) {
   }
 }
 
+/// A client's edge on VertexSBAPointXYZ.
+class PointPrior : public g2o::BaseUnaryEdge<3, g2o::Vector3, g2o::VertexSBAPointXYZ> {
+ public:
+  void computeError() override {
+    _error = static_cast<const g2o::VertexSBAPointXYZ*>(_vertices[0])->estimate() - _measurement;
+  }
+  bool read(std::istream&) override { return false; }
+  bool write(std::ostream&) const override { return false; }
+};
+
+TEST(Sba, AnEdgeOfAClientOnVertexSBAPointXYZAcceptsAVertexPointXYZ) {
+  g2o::SparseOptimizer optimizer;
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(std::make_unique<g2o::BlockSolverX>(
+      std::make_unique<g2o::LinearSolverDense<g2o::BlockSolverX::PoseMatrixType>>())));
+  auto* point = new g2o::VertexPointXYZ;
+  point->setId(0);
+  ASSERT_TRUE(optimizer.addVertex(point));
+  auto* prior = new PointPrior;
+  prior->setVertex(0, point);
+  prior->setMeasurement({1, 2, 3});
+  prior->setInformation(g2o::Matrix3::Identity());
+  ASSERT_TRUE(optimizer.addEdge(prior));
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.optimize(5), 5);
+  EXPECT_LT((point->estimate() - g2o::Vector3(1, 2, 3)).norm(), 1e-9);
+}
+
 TEST(Sba, TheJacobiansOfAnInverseDepthPointAreExact) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
 
 #include "g2o/core/block_solver.h"
@@ -60,6 +61,35 @@ TEST(Slam3dAddons, TheInformationMatrixOfAToroEdgeWeightsAngles) {
   auto* e = static_cast<g2o::EdgeSE3Euler*>(*optimizer.edges().begin());
   e->computeError();
   EXPECT_NEAR(e->chi2(), 25 * 0.04 + 9e-8, 1e-14);
+}
+
+/// A client's pose that has the base of VertexSE3, but not the members that edges on VertexSE3 read.
+class OwnPose : public g2o::BaseVertex<6, g2o::Isometry3> {
+ public:
+  void setToOriginImpl() override { _estimate.setIdentity(); }
+  void oplusImpl(const double*) override {}
+  bool read(std::istream&) override { return false; }
+  bool write(std::ostream&) const override { return false; }
+};
+
+TEST(Slam3dAddons, EdgesAcceptOtherVertexClassesUnlessTheyReadMembersThatTheseLack) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 1 0 0 0 0 0 1\nEDGE3 0 1 1.5 0 0 0 0 0" + omega(6) +
+      "\n");
+  ASSERT_TRUE(optimizer.load(in));
+  ASSERT_EQ(optimizer.edges().size(), 1u);
+  auto* e = static_cast<g2o::EdgeSE3Euler*>(*optimizer.edges().begin());
+  e->computeError();
+  EXPECT_NEAR(e->error()[0], -0.5, 1e-12);
+
+  auto* own = new OwnPose;
+  own->setId(2);
+  ASSERT_TRUE(optimizer.addVertex(own));
+  auto other = std::make_unique<g2o::EdgeSE3>();
+  other->setVertex(0, optimizer.vertex(0));
+  other->setVertex(1, own);
+  EXPECT_FALSE(optimizer.addEdge(other.get()));
 }
 
 TEST(Slam3dAddons, ErrorsFollowTheSignConventionsOfTheFileFormat) {
@@ -137,6 +167,30 @@ TEST(Lines, HaveCartesianAndOrthonormalForms) {
   EXPECT_NEAR(parts.W(1, 0) / parts.W(0, 0), 1 / std::sqrt(13.0), 1e-14);
   EXPECT_LT((g2o::Line3D::fromOrthonormal(parts) - line).norm(), 1e-14);
   EXPECT_LT((g2o::Line3D(3 * line).normalized() - line).norm(), 1e-14);
+}
+
+TEST(Lines, KeepSixNumbersOfAFileThatAreNotOrthogonal) {
+  const g2o::Vector6 numbers = (g2o::Vector6() << 1, 0.5, 0.2, 0.3, 0.1, 0.9).finished();
+  std::istringstream in(
+      "PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
+      "VERTEX_LINE3D 1 1 0.5 0.2 0.3 0.1 0.9\n"
+      "EDGE_SE3_LINE3D 0 1 0 1 0.5 0.2 0.3 0.1 0.9" +
+      omega(4) + "\n");
+  g2o::SparseOptimizer optimizer;
+  ASSERT_TRUE(optimizer.load(in));
+  auto* v = static_cast<g2o::VertexLine3D*>(optimizer.vertex(1));
+  EXPECT_EQ(static_cast<const g2o::Vector6&>(v->estimate()), numbers);
+  auto* e = static_cast<g2o::EdgeSE3Line3D*>(*optimizer.edges().begin());
+  EXPECT_EQ(static_cast<const g2o::Vector6&>(e->measurement()), numbers);
+  e->computeError();
+  EXPECT_LT(e->error().norm(), 1e-12);
+  v->setEstimate(g2o::Line3D::fromCartesian((g2o::Vector6() << 1, 2, 3, 0.3, -0.5, 0.7).finished()));
+  std::stringstream rounded;  // with the default of six digits
+  for (const double value : v->estimate()) rounded << value << ' ';
+  EXPECT_TRUE(v->read(rounded));
+  std::istringstream without_direction("1 2 3 0 0 0");
+  EXPECT_FALSE(v->read(without_direction));
 }
 
 TEST(Lines, OplusUndoesOminus) {

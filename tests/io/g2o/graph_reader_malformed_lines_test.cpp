@@ -45,7 +45,15 @@ const Malformed kTable[] = {
     {"VertexIdThatIsAWord", "VERTEX_SE2 one 0 0 0",
      "9:12: expected the id of a vertex (an integer), got 'one'"},
     {"VertexIdThatIsTooLargeForAnInteger", "VERTEX_SE2 99999999999999999999 0 0 0",
-     "9:12: expected the id of a vertex (an integer), got '99999999999999999999'"},
+     "9:12: expected the id of a vertex (an integer up to 9223372036854775807), got "
+     "'99999999999999999999'"},
+    {"VertexIdThatIsTooSmallForAnInteger", "VERTEX_SE2 -9223372036854775809 0 0 0",
+     "9:12: expected the id of a vertex (an integer from -9223372036854775808), got "
+     "'-9223372036854775809'"},
+    {"TagWithBlanks", "VERTEX_SE3 : QUAT 9 0 0 0 0 0 0 1",
+     "9:1: expected the tag VERTEX_SE3:QUAT without blanks, got 'VERTEX_SE3 : QUAT'"},
+    {"TagWithABlank", "EDGE_SE3: QUAT 3 4 0 0 0 0 0 0 1",
+     "9:1: expected the tag EDGE_SE3:QUAT without blanks, got 'EDGE_SE3: QUAT'"},
     {"NegativeVertexId", "VERTEX_SE2 -1 0 0 0", "9:12: expected an id ≥ 0, got -1"},
     {"TruncatedVertex", "VERTEX_SE2 9 0 0", "9:17: expected the heading θ, got the end of the line"},
     {"VertexWithOneFieldTooMany", "VERTEX_SE2 9 0 0 0 7", "9:20: expected the end of the line, got '7'"},
@@ -110,7 +118,11 @@ const Malformed kTable[] = {
     {"ObservationWithItsVerticesSwapped", "EDGE_SE2_XY 2 0 1 0 1 0 1",
      "9:13: expected the id of a vertex of type SE2, but vertex 2 is a Vector2"},
     {"EdgeWithAMissingParameter", "EDGE_SE2_POINTXY_OFFSET 0 2 9 1 0 1 0 1",
-     "9:29: expected the id of a parameter, but there is no parameter 9"},
+     "9:29: expected the id of a parameter, but there is no parameter 9; parameters of its "
+     "type have the tag PARAMS_SE2OFFSET"},
+    {"EdgeWithAMissingParameterInSpace", "EDGE_SE3_TRACKXYZ 3 5 9 0 0 1 1 0 0 1 0 1",
+     "9:23: expected the id of a parameter, but there is no parameter 9; parameters of its type have the tag "
+     "PARAMS_SE3OFFSET"},
     {"EdgeWithAParameterOfTheWrongType", "EDGE_SE2_POINTXY_OFFSET 0 2 1 1 0 1 0 1",
      "9:29: expected the id of a parameter of type SE2, but parameter 1 is a SE3"},
     {"ListOfPointsWithoutAnEnd", "EDGE_SE2_LOTSOFXY 0 2",

@@ -66,6 +66,9 @@ using JacobianMatrix =
 
 /// An edge between vertices of the types VertexTypes. A derived class implements computeError(), read() and
 /// write(). It also implements linearizeOplus() if it has analytic Jacobians.
+///
+/// The edge also accepts a vertex of another class if it has the same BaseVertex<D, T>, and casts it
+/// statically. If it uses more of its vertex type than this base, this type must say so (UsedByEdges).
 template <int D, typename E, typename... VertexTypes>
 class BaseFixedSizedEdge : public BaseEdge<D, E> {
  public:
@@ -218,7 +221,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   template <std::size_t... N>
   bool verticesFit(std::index_sequence<N...>) const {
     return ((this->_vertices[N] == nullptr ||
-             dynamic_cast<const VertexXnType<N>*>(this->_vertices[N]) != nullptr) &&
+             dynamic_cast<const typename VertexXnType<N>::UsedByEdges*>(this->_vertices[N]) != nullptr) &&
             ...);
   }
   template <std::size_t... N>

@@ -33,6 +33,9 @@ template <int D, typename T>
 class BaseVertex : public OptimizableGraph::Vertex {
  public:
   using EstimateType = T;
+  /// What edges use of a vertex type. Edges on this type accept every vertex that is derived from this class.
+  /// If edges read members that a derived class adds, the derived class replaces this by itself.
+  using UsedByEdges = BaseVertex;
   using BackupStackType = std::stack<EstimateType, std::vector<EstimateType>>;
   static constexpr int Dimension = D;
   /// The vertex's diagonal block of the Hessian, mapped to memory of the solver.

@@ -141,8 +141,7 @@ class BlockSolver : public BlockSolverBase {
  private:
   bool isDerived() const { return typeid(*this) != typeid(BlockSolver); }
   void copyHessian();
-  /// Returns the settings of the linear solver, changed to what the algorithm needs: exact steps if it does
-  /// not check them, and failures instead of steps by an indefinite matrix if it reacts to failures.
+  /// Returns the settings of the linear solver, with exact steps if the algorithm does not check them.
   internal::EngineSettings engineSettings() const;
   /// Whether the algorithm adds damping and tries again if the system is not positive definite.
   bool retries() const { return this->levenberg() || this->inexactSteps(); }

@@ -51,7 +51,6 @@ internal::EngineSettings BlockSolver<Traits>::engineSettings() const {
   internal::EngineSettings settings = _linearSolver->engine();
   settings.exact = settings.exact || !this->inexactSteps();
   settings.retries = retries();
-  settings.indefinite = settings.indefinite && !settings.retries;
   return settings;
 }
 

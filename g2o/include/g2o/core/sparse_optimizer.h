@@ -119,8 +119,9 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   void computeActiveErrors();
   G2O_ATTRIBUTE_DEPRECATED(void linearizeSystem()) {}
 
-  /// Moves the vertices of indexMapping() by the increments in `update`.
-  void update(const double* update);
+  /// Moves the vertices of indexMapping() by the increments in `update`. The algorithms call this function
+  /// for each step that they try.
+  virtual void update(const double* update);
 
   const BatchStatisticsContainer& batchStatistics() const { return _batchStatistics; }
   BatchStatisticsContainer& batchStatistics() { return _batchStatistics; }

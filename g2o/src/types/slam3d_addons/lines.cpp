@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "g2o/types/slam3d_addons/edge_se3_line.h"
 #include "types/slam3d_addons/adapters_slam3d_addons.h"
@@ -9,6 +10,19 @@ namespace {
 
 using Observation = boxplus::LineObservation3;
 using NativeLine = boxplus::Manifold<boxplus::Line3>;
+
+/// Reads w and d, which stay as they are: as in g2o, w may have a part along d, for example because it was
+/// written with few digits. This part has no effect on an error or on a step.
+Line3D read_line(boxplus::FieldReader& in) {
+  Vector6 line;
+  in.numbers(line.data(), 3, "a coordinate of the moment");
+  const boxplus::FieldPlace direction = in.place();
+  in.numbers(line.data() + 3, 3, "a coordinate of the direction");
+  const double length = line.tail<3>().squaredNorm();
+  if (!(length > 0 && std::isfinite(length)))
+    in.fail(direction, "expected a direction whose length is neither zero nor huge");
+  return Line3D(line);
+}
 
 }  // namespace
 
@@ -62,10 +76,7 @@ void VertexLine3D::oplusImpl(double* update) {
 }
 
 bool VertexLine3D::read(std::istream& is) {
-  boxplus::Line3 line;
-  if (!adapters::read_value(is, 6, line)) return false;
-  setEstimate(adapters::to_g2o(line));
-  return true;
+  return adapters::read_fields(is, 6, [this](boxplus::FieldReader& in) { setEstimate(read_line(in)); });
 }
 
 bool VertexLine3D::write(std::ostream& os) const {
@@ -102,8 +113,11 @@ void EdgeSE3Line3D::linearizeOplus() {
 }
 
 bool EdgeSE3Line3D::read(std::istream& is) {
-  return readParamIds(is) && adapters::read_edge<Observation>(is, 6, _information, [this](const auto& z) {
-           setMeasurement(adapters::to_g2o(z));
+  const int fields = 6 + adapters::omega_fields(_information);
+  return readParamIds(is) && adapters::read_fields(is, fields, [this](boxplus::FieldReader& in) {
+           const Line3D line = read_line(in);
+           adapters::read_omega(in, _information);
+           setMeasurement(line);
          });
 }
 

@@ -58,14 +58,16 @@ EdgePlane::EdgePlane() {
 }
 
 void EdgePlane::computeError() {
-  _error = Difference(_measurement).error(adapters::plane(*vertexXn<0>()), adapters::plane(*vertexXn<1>()));
+  _error = Difference(_measurement)
+               .error(adapters::plane(vertexXn<0>()->estimate()), adapters::plane(vertexXn<1>()->estimate()));
 }
 
 void EdgePlane::linearizeOplus() {
-  adapters::linearize(
-      Difference(_measurement),
-      adapters::Argument<boxplus::Plane3>{adapters::plane(*vertexXn<0>()), _jacobianOplusXi.data()},
-      adapters::Argument<boxplus::Plane3>{adapters::plane(*vertexXn<1>()), _jacobianOplusXj.data()});
+  adapters::linearize(Difference(_measurement),
+                      adapters::Argument<boxplus::Plane3>{adapters::plane(vertexXn<0>()->estimate()),
+                                                          _jacobianOplusXi.data()},
+                      adapters::Argument<boxplus::Plane3>{adapters::plane(vertexXn<1>()->estimate()),
+                                                          _jacobianOplusXj.data()});
 }
 
 bool EdgePlane::read(std::istream& is) {
@@ -95,7 +97,7 @@ EdgeSE3PlaneSensorCalib::EdgeSE3PlaneSensorCalib() = default;
 
 void EdgeSE3PlaneSensorCalib::computeError() {
   _error = Observation(adapters::plane(_measurement))
-               .error(adapters::pose(*vertexXn<0>()), adapters::plane(*vertexXn<1>()),
+               .error(adapters::pose(*vertexXn<0>()), adapters::plane(vertexXn<1>()->estimate()),
                       adapters::pose(*vertexXn<2>()));
 }
 
@@ -103,7 +105,7 @@ void EdgeSE3PlaneSensorCalib::linearizeOplus() {
   adapters::linearize(
       Observation(adapters::plane(_measurement)),
       adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      adapters::Argument<boxplus::Plane3>{adapters::plane(*vertexXn<1>()),
+      adapters::Argument<boxplus::Plane3>{adapters::plane(vertexXn<1>()->estimate()),
                                           std::get<1>(_jacobianOplus).data()},
       adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
 }

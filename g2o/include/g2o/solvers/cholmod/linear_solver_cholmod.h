@@ -14,8 +14,7 @@ namespace g2o {
 /// or any other third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) use it.
 ///
 /// As in CHOLMOD, the matrix may be indefinite, for example if Lagrange multipliers of equality constraints
-/// are vertices. Levenberg-Marquardt and dogleg do not use this: they add damping until the matrix is
-/// positive definite.
+/// are vertices.
 template <typename MatrixType>
 class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
  public:

@@ -63,6 +63,7 @@ class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, Verte
 /// The pose of a stereo camera. All objects share one camera matrix and baseline.
 class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
  public:
+  using UsedByEdges = VertexSCam;
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSCam();
 

@@ -12,6 +12,7 @@ namespace g2o {
 /// is exp(ω, υ, σ) S. Files store the logarithm of S⁻¹, then the intrinsics. Tag: VERTEX_SIM3:EXPMAP.
 class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
  public:
+  using UsedByEdges = VertexSim3Expmap;
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSim3Expmap();
 

@@ -12,6 +12,7 @@ namespace g2o {
 class G2O_TYPES_SLAM2D_ADDONS_API VertexLine2D : public BaseVertex<2, Line2D> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  using UsedByEdges = VertexLine2D;
   VertexLine2D();
 
   double theta() const { return _estimate[0]; }

@@ -15,6 +15,7 @@ namespace g2o {
 /// unit quaternion. Tag: VERTEX_SE3:QUAT.
 class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
  public:
+  using UsedByEdges = VertexSE3;
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSE3();
 
