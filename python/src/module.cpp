@@ -25,5 +25,6 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_diagnose(module);
   bind_outliers(module);
   bind_viewer(module);
+  make_classes_safe(module);
   module.attr("__name__") = name;
 }
