@@ -56,6 +56,7 @@ from ._report import Start as Start
 from ._view import Viewer as Viewer
 from ._view import view as view
 
+__version__: str
 Array = numpy.ndarray[Any, numpy.dtype[numpy.float64]]
 Ids = numpy.ndarray[Any, numpy.dtype[numpy.int64]]
 Vertex = VertexRef | int
@@ -365,11 +366,11 @@ class Graph:
     def remove(self, element: EdgeRef | Vertex) -> None: ...
     def add_vertices(self, type: VertexType, ids: ArrayLike | None, estimates: ArrayLike) -> Ids: ...
     def estimates(self, type: VertexType) -> tuple[Ids, Array]: ...
-    def set_estimates(self, type: VertexType, ids: ArrayLike, estimates: ArrayLike) -> None: ...
+    def set_estimates(self, type: VertexType, ids: ArrayLike | Sequence[Vertex], estimates: ArrayLike) -> None: ...
     def add_edges(
         self,
         type: type[Edge] | BatchedEdge | Callable[..., Any] | Constraint,
-        *vertices: Vertex | ArrayLike,
+        *vertices: Vertex | ArrayLike | Sequence[Vertex],
         measurements: ArrayLike | None = None,
         informations: ArrayLike = 1.0,
         camera: Camera | None = None,
@@ -413,7 +414,7 @@ class Options:
     max_factor_bytes: int
     threads: int
     level: int
-    vertices: Sequence[VertexRef]
+    vertices: Sequence[Vertex]
     edges: Sequence[EdgeRef]
     outliers: Suspects | None
     callback: Callable[[IterationRecord], bool | None] | None

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "collected.h"
 #include "graph_object.h"
 
 namespace boxplus::python {

@@ -26,5 +26,6 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_outliers(module);
   bind_viewer(module);
   make_classes_safe(module);
+  module.attr("__version__") = BOXPLUS_VERSION;
   module.attr("__name__") = name;
 }
