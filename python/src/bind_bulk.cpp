@@ -120,9 +120,16 @@ py::tuple estimates(const GraphObject& self, py::handle type) {
 /// The vertices of an array of ids, or of a list with VertexRefs.
 std::vector<VertexRef> vertices_of_array(const Graph& graph, py::handle vertices, const std::string& name) {
   const py::array array = py::array::ensure(vertices);
-  if (array && array.ndim() == 1 && array.dtype().kind() == 'O') return vertices_of(graph, array, name);
-  const std::vector<Id> ids = read_ids(vertices, name);
   std::vector<VertexRef> refs;
+  if (array && array.ndim() == 1 && array.dtype().kind() == 'O') {
+    refs = vertices_of(graph, array, name);
+    for (std::size_t i = 0; i < refs.size(); ++i) {
+      if (!graph.contains(refs[i]))
+        throw InvalidArgument(RowName{name, i}.text() + ": expected a vertex of this graph");
+    }
+    return refs;
+  }
+  const std::vector<Id> ids = read_ids(vertices, name);
   refs.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const std::optional<VertexRef> found = graph.find_vertex(ids[i]);

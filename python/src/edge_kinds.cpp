@@ -5,6 +5,7 @@
 #include <typeinfo>
 #include <utility>
 
+#include "boxplus/types/inertial.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 #include "edge_kind.h"
@@ -17,6 +18,10 @@ std::span<const EdgeFamily> edge_families() {
        "Measures a pose, a rotation or a point relative to another one of the same type. Vertices: a, b."},
       {"Prior", "Measures a pose, a rotation, a direction, a point, a plane or a line in the world."},
       {"PositionPrior", "Measures the position of a pose in the world, for example by GPS."},
+      {"OffsetPositionPrior",
+       "Measures the position of a sensor on a pose in the world, such as an antenna. Vertices: pose, "
+       "position "
+       "of the sensor in the frame of the pose (lever arm)."},
       {"PointObservation2", "Measures a point in the frame of a pose in the plane. Vertices: pose, point."},
       {"PointObservation3", "Measures a point in the frame of a pose in space. Vertices: pose, point."},
       {"OffsetPointObservation2",
@@ -69,6 +74,8 @@ std::span<const EdgeKind> edge_kinds() {
         edge_kind<Prior<Line3>, Line3>("Prior"),
         edge_kind<PositionPrior<Vector2>, SE2>("PositionPrior"),
         edge_kind<PositionPrior<Vector3>, SE3>("PositionPrior"),
+        edge_kind<OffsetPositionPrior<Vector2>, SE2, Vector2>("OffsetPositionPrior"),
+        edge_kind<OffsetPositionPrior<Vector3>, SE3, Vector3>("OffsetPositionPrior"),
         edge_kind<PointObservation2, SE2, Vector2>("PointObservation2"),
         edge_kind<PointObservation3, SE3, Vector3>("PointObservation3"),
         edge_kind<OffsetPointObservation2, SE2, Vector2, SE2>("OffsetPointObservation2"),

@@ -131,11 +131,22 @@ class Arrays(unittest.TestCase):
         for first, second in ((refs[:2], refs[1:]), ([0, refs[1]], np.array(refs[1:])), (tuple(refs[:2]), [1, 2])):
             edges = graph.add_edges(Between, first, second, measurements=np.ones((2, 3)))
             self.assertEqual([graph.vertices(edge) for edge in edges], [refs[:2], refs[1:]])
-        self.assertEqual(len(graph.add_edges(lambda a, b: b.x() - a.x() - 1, refs[:2], refs[1:])), 2)
         graph.set_estimates(SE2, refs[1:], [[7, 8, 0], [9, 10, 0]])
         self.assertEqual(graph.estimate(2), SE2(9, 10, 0))
+        removed = graph.add_vertex(SE2())
+        graph.remove(removed)
+        before = graph.to_text()
+        other = boxplus.Graph()
+        other.add_vertex(Vector2(1, 2))
+        for wrong in (removed, line(2).vertex(1), other.add_vertex(SE2())):
+            self.assert_refused(boxplus.InvalidArgument, "vertices[1][1]: expected a vertex of this graph",
+                                lambda: graph.add_edges(Between, refs[:2], [refs[1], wrong], measurements=np.ones((2, 3))))
+            self.assert_refused(boxplus.InvalidArgument, "ids[1]: expected a vertex of this graph",
+                                lambda: graph.set_estimates(SE2, [refs[1], wrong], np.ones((2, 3))))
+            self.assertEqual(graph.to_text(), before)
         self.assert_refused(TypeError, "vertices[1][1]: expected a VertexRef or the id of a vertex, got 'c' (str)",
                             lambda: graph.add_edges(Between, refs[:2], [refs[1], "c"], measurements=np.ones((2, 3))))
+        self.assertEqual(len(graph.add_edges(lambda a, b: b.x() - a.x() - 1, refs[:2], refs[1:])), 2)
 
     def test_wrong_edges_are_refused_and_change_nothing(self):
         graph = line(3)

@@ -49,6 +49,7 @@ class Files(unittest.TestCase):
         for name in ("COLMAP", "COLMAP-text"):
             with self.assertWarnsRegex(RuntimeWarning, "the format does not keep 1 edge <lambda>"):
                 graph.save(self.path.with_name(name), format=name)
+            self.assertEqual(graph.losses(self.path.with_name(name), format=name), ["1 edge <lambda>"])
         graph.remove(graph.find_parameter(0))
         for name in ("g2o", "json"):
             with self.assertRaisesRegex(boxplus.InvalidArgument, "cannot write edges of type <lambda>"):

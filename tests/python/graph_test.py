@@ -119,7 +119,8 @@ class Edges(unittest.TestCase):
         for edge, vertices in (
                 (Prior(SE2()), (pose,)), (Prior(SE3()), (pose3,)), (Prior([1, 2]), (point,)),
                 (Prior([1, 2, 3]), (point3,)), (boxplus.PositionPrior([1, 2]), (pose,)),
-                (boxplus.PositionPrior([1, 2, 3]), (pose3,)), (boxplus.PointObservation2([1, 2]), (pose, point)),
+                (boxplus.PositionPrior([1, 2, 3]), (pose3,)), (boxplus.OffsetPositionPrior([1, 2]), (pose, point)),
+                (boxplus.OffsetPositionPrior([1, 2, 3]), (pose3, point3)), (boxplus.PointObservation2([1, 2]), (pose, point)),
                 (boxplus.PointObservation3([1, 2, 3]), (pose3, point3)),
                 (boxplus.OffsetPointObservation2([1, 2]), (pose, point, sensor)),
                 (boxplus.OffsetPointObservation3([1, 2, 3]), (pose3, point3, sensor3)),
@@ -147,6 +148,12 @@ class Edges(unittest.TestCase):
         self.assertAlmostEqual(boxplus.optimize(graph).chi2_final, 0)
         with self.assertRaisesRegex(TypeError, "Range: expected vertices of the types"):
             graph.add_edge(boxplus.Range(1), 0, graph.add_vertex([1, 2]))
+
+    def test_an_offset_position_prior_measures_the_position_of_a_sensor(self):
+        graph = Graph()
+        pose, arm = graph.add_vertex(SE2(1, 2, np.pi / 2)), graph.add_parameter([3.0, 0])
+        edge = graph.add_edge(boxplus.OffsetPositionPrior([1, 4.5]), pose, arm)
+        np.testing.assert_allclose(graph.error(edge), [0, 0.5], atol=1e-15)
 
     def test_kernels_are_chosen_by_name(self):
         graph, edges = square()
