@@ -11,7 +11,6 @@ from . import _boxplus, rows
 from ._batched import BatchedEdge, EdgeFunctionCost
 from ._boxplus import *
 from ._html import report_as_html as _report_as_html
-from ._masks import refuses_masks as _refuses_masks
 from ._pandas import report_to_pandas as _report_to_pandas
 from ._pickle import reduce_graph as _reduce_graph
 from ._report_text import report_text as _report_text
@@ -34,14 +33,12 @@ _VECTORS = [f"Vector{size}" for size in range(1, 13)]
 for _size, _vector in enumerate(_VECTORS, 1):
     globals()[_vector] = _vector_class(_size)
 
-for _name in ("add_vertex", "add_parameter", "set_estimate", "add_edge", "set_measurement", "set_information", "add_vertices",
-              "set_estimates", "add_edges"):
-    setattr(_boxplus.Graph, _name, _refuses_masks(getattr(_boxplus.Graph, _name)))
 for _name in ("optimize", "covariance", "marginal_covariances", "diagnose", "find_outliers", "certify"):
     globals()[_name] = _stoppable(getattr(_boxplus, _name))
 for _name in ("run", "covariance", "marginal_covariances"):
     setattr(_boxplus.Optimizer, _name, _stoppable_run(getattr(_boxplus.Optimizer, _name)))
 load = _awaited(_boxplus.load)
+__version__ = _boxplus.__version__
 
 _boxplus.Graph.__reduce_ex__ = _reduce_graph
 _boxplus.Report.edge_functions = ()

@@ -9,6 +9,8 @@ one has poses (n, 7) or points (n, 3). The derivatives of all functions are exac
 
 import numpy as np
 
+from ._masks import require_unmasked
+
 __all__ = ["inverse", "inverse_times", "log", "ominus", "rotation", "times"]
 
 
@@ -78,6 +80,7 @@ def log(a):
 
 def _is_plane(a, b=None):
     """True for SE2, False for SE3."""
+    require_unmasked((a, b), "rows")
     width = a.shape[1] if a.ndim == 2 else 0
     if width not in (3, 7):
         raise ValueError(f"rows: expected poses of the shape (n, 3) or (n, 7), got {a.shape}")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """SparseOptimizer, and the actions that it calls."""
 
+import collections
 import sys
 import time
 
@@ -156,7 +157,8 @@ class SparseOptimizer(HyperGraph):
 
     def optimize(self, iterations, online=False):
         """Runs up to so many iterations from the current estimates. Returns their number; -1 if nothing is active, and 0 if
-        no step could be computed. A warning says why."""
+        no step could be computed. A warning says why. As in g2o, an iteration that finds no better estimates counts, too: it
+        is the last one of Levenberg-Marquardt and dogleg, but Gauss-Newton goes on to the last iteration."""
         if not self._active:
             warn("optimize: there is nothing to optimize; call initialize_optimization() after the edges were added")
             return -1
@@ -181,25 +183,24 @@ class SparseOptimizer(HyperGraph):
             report = self._engine.run(dict(self._options(), max_iterations=max(0, iterations), callback=watch))
         finally:
             self._read()  # also after Ctrl-C or an exception of an action: the best estimates
-        return watch.result(report)
+        return watch.finish(report, iterations)
 
     def _run_in_steps(self, iterations):
         """One iteration after the other, because each of them begins with new estimates of charts or new informations."""
-        watch, damping, done = _Watch(self), {}, 0
-        for _ in range(iterations):
+        watch, damping = _Watch(self), {}
+        while watch.done < iterations:
             record = []
             report = self._engine.run(dict(self._options(), max_iterations=1, callback=lambda r: record.append(r), **damping))
             self._read()
-            if not record:
-                return done or watch.result(report)
-            done += 1
-            if not watch(record[0], iteration=done) or report.reason != report.Reason.kMaxIterations:
+            if record and not watch(record[0]):
                 break
+            if not record or report.reason != report.Reason.kMaxIterations:
+                return watch.finish(report, iterations)
             damping = self._algorithm_damping(record[0])
             for edge in self._active:
                 if getattr(edge, "pl_pl", False):
                     self._engine.graph.set_information(self._engine.refs[edge], edge._current_information())
-        return done
+        return watch.done
 
     def _algorithm_damping(self, record):
         """λ or the radius of the next iteration (Nielsen, "Damping parameter in Marquardt's method", 1999)."""
@@ -238,10 +239,11 @@ class _Watch:
     def __init__(self, optimizer):
         self.optimizer = optimizer
         self.begin = self.last = time.monotonic()
+        self.done = 0  # iterations
 
-    def __call__(self, record, iteration=None):
-        optimizer = self.optimizer
-        iteration = (record.iteration if iteration is None else iteration) - 1
+    def __call__(self, record):
+        optimizer, iteration = self.optimizer, self.done
+        self.done += 1
         if optimizer._algorithm is not None:
             optimizer._algorithm._last_lambda = record.lambda_
         if optimizer._is_verbose:
@@ -260,12 +262,21 @@ class _Watch:
               f"cumTime= {now - self.begin:.6g}\t edges= {edges}\t schur= {schur}{damping}", file=sys.stderr)
         self.last = now
 
-    @staticmethod
-    def result(report):
+    def finish(self, report, iterations):
+        """The number of iterations, with those that g2o would do after the end of this run without a change."""
         if report.status == report.Status.kFailed:
             warn(f"optimize: {report.message}")
             return 0
-        return len(report.records)
+        algorithm = self.optimizer._algorithm
+        no_step = _NoStep(report.chi2_final, algorithm._last_lambda, 1)
+        is_over = report.reason == report.Reason.kCallback
+        while self.done < iterations and not is_over:
+            is_over = not self(no_step) or not algorithm._GOES_ON
+        return self.done
+
+
+#: The record of an iteration that changes nothing.
+_NoStep = collections.namedtuple("_NoStep", "chi2 lambda_ tries")
 
 
 class SparseOptimizerTerminateAction:

@@ -78,6 +78,7 @@ class OptimizationAlgorithm:
     """Takes a block solver, or (as in older programs) a linear solver."""
 
     _OPTIONS = {}
+    _GOES_ON = False  # after an iteration that finds no step
 
     def __init__(self, solver):
         if isinstance(solver, LinearSolver):
@@ -101,6 +102,7 @@ class OptimizationAlgorithm:
 
 class OptimizationAlgorithmGaussNewton(OptimizationAlgorithm):
     _OPTIONS = {"algorithm": "gauss-newton"}
+    _GOES_ON = True
 
 
 class OptimizationAlgorithmLevenberg(OptimizationAlgorithm):

@@ -35,16 +35,22 @@ struct Calling {
   Calling& operator=(const Calling&) = delete;
 };
 
+py::object copy_of(const py::object& object) {
+  const py::gil_scoped_acquire lock;
+  return object;
+}
+
 std::size_t size_of(const VertexKind& kind) {
   return static_cast<std::size_t>(kind.size);
 }
 
 }  // namespace
 
-BatchedPool::BatchedPool(std::shared_ptr<EdgeFunction> function, std::vector<std::uint32_t> indices,
-                         std::vector<const detail::VertexPool*> pools, int rows, int width,
-                         bool is_constraint)
+BatchedPool::BatchedPool(py::object edge, std::shared_ptr<EdgeFunction> function,
+                         std::vector<std::uint32_t> indices, std::vector<const detail::VertexPool*> pools,
+                         int rows, int width, bool is_constraint)
     : EdgePool(std::move(indices), 0),
+      edge_(std::move(edge)),
       function_(std::move(function)),
       pools_(std::move(pools)),
       rows_(rows),
@@ -53,6 +59,7 @@ BatchedPool::BatchedPool(std::shared_ptr<EdgeFunction> function, std::vector<std
 
 BatchedPool::BatchedPool(const BatchedPool& other, std::vector<const detail::VertexPool*> pools)
     : EdgePool(other),
+      edge_(copy_of(other.edge_)),
       function_(other.function_),
       pools_(std::move(pools)),
       rows_(other.rows_),
@@ -60,6 +67,11 @@ BatchedPool::BatchedPool(const BatchedPool& other, std::vector<const detail::Ver
       is_constraint_(other.is_constraint_),
       measurements_(other.measurements_),
       shifts_(other.shifts_) {}
+
+BatchedPool::~BatchedPool() {
+  const py::gil_scoped_acquire lock;
+  edge_ = py::object();
+}
 
 std::uint32_t BatchedPool::add(const double* measurement, const Information& information,
                                std::span<const std::uint32_t> slots) {
@@ -220,7 +232,7 @@ BatchedPool::Cache BatchedPool::evaluate(std::span<const std::uint32_t> edges, W
     for (const std::uint32_t edge : edges)
       row = std::copy_n(measurements_.data() + edge * static_cast<std::size_t>(width_), width_, row);
   }
-  BatchResult result = (*function_)(batch, rows_, want);
+  BatchResult result = (*function_)(edge_, batch, rows_, want);
   cache.errors = std::move(result.errors);
   cache.jacobians = std::move(result.jacobians);
   return cache;

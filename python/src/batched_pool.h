@@ -24,10 +24,13 @@ namespace boxplus::python {
 /// to call the function does not hold the lock.
 class BatchedPool final : public detail::EdgePool {
  public:
-  /// `vertex_pools`: the pools, and their indices, of the arguments. `rows`: of the error. `width`: the
-  /// numbers of a measurement; 0 if the function gets none. `is_constraint`: the edges are constraints.
-  BatchedPool(std::shared_ptr<EdgeFunction> function, std::vector<std::uint32_t> indices,
+  /// `edge`: the object of Python. `vertex_pools`: the pools, and their indices, of the arguments. `rows`: of
+  /// the error. `width`: the numbers of a measurement; 0 if the function gets none. `is_constraint`: the
+  /// edges are constraints.
+  BatchedPool(py::object edge, std::shared_ptr<EdgeFunction> function, std::vector<std::uint32_t> indices,
               std::vector<const detail::VertexPool*> pools, int rows, int width, bool is_constraint);
+
+  ~BatchedPool() override;
 
   /// Adds an edge with a measurement of `width` numbers. Returns its slot. If the function throws, nothing
   /// has changed.
@@ -41,6 +44,8 @@ class BatchedPool final : public detail::EdgePool {
   void begin_fresh() const { ++fresh_; }
   void end_fresh() const { --fresh_; }
 
+  py::object& edge() { return edge_; }
+  const py::object& edge() const { return edge_; }
   const EdgeFunction& function() const { return *function_; }
   int width() const { return width_; }
   bool is_constraint() const { return is_constraint_; }
@@ -81,7 +86,8 @@ class BatchedPool final : public detail::EdgePool {
   void refresh(std::span<const std::uint32_t> edges, Want want) const;
   Cache evaluate(std::span<const std::uint32_t> edges, Want want) const;
 
-  std::shared_ptr<EdgeFunction> function_;
+  py::object edge_;                         // copied and destroyed with Python's lock (GIL)
+  std::shared_ptr<EdgeFunction> function_;  // shared by the copies of a pool
   std::vector<const detail::VertexPool*> pools_;
   int rows_, width_;
   bool is_constraint_;

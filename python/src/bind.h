@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "collected.h"
 #include "graph_object.h"
 
 namespace boxplus::python {
@@ -32,5 +33,7 @@ void bind_certificate(py::module_& module);
 void bind_diagnose(py::module_& module);
 void bind_outliers(py::module_& module);
 void bind_viewer(py::module_& module);
+/// Call it last: no use of the classes in a module or class may end the process.
+void make_classes_safe(py::handle scope);
 
 }  // namespace boxplus::python

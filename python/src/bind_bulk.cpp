@@ -117,24 +117,37 @@ py::tuple estimates(const GraphObject& self, py::handle type) {
   return py::make_tuple(ids, rows);
 }
 
-/// The vertices of many edges at one place: an array of ids, or one vertex for all edges.
+/// The vertices of an array of ids, or of a list with VertexRefs.
+std::vector<VertexRef> vertices_of_array(const Graph& graph, py::handle vertices, const std::string& name) {
+  const py::array array = py::array::ensure(vertices);
+  std::vector<VertexRef> refs;
+  if (array && array.ndim() == 1 && array.dtype().kind() == 'O') {
+    refs = vertices_of(graph, array, name);
+    for (std::size_t i = 0; i < refs.size(); ++i) {
+      if (!graph.contains(refs[i]))
+        throw InvalidArgument(RowName{name, i}.text() + ": expected a vertex of this graph");
+    }
+    return refs;
+  }
+  const std::vector<Id> ids = read_ids(vertices, name);
+  refs.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::optional<VertexRef> found = graph.find_vertex(ids[i]);
+    if (!found)
+      throw InvalidArgument(RowName{name, i}.text() + ": there is no vertex with the id " +
+                            std::to_string(ids[i]));
+    refs.push_back(*found);
+  }
+  return refs;
+}
+
+/// The vertices of many edges at one place: an array of vertices, or one vertex for all edges.
 class Column {
  public:
   Column(const Graph& graph, py::handle vertices, const std::string& name) {
     is_shared_ = py::isinstance<VertexRef>(vertices) || is_integer(vertices);
-    if (is_shared_) {
-      refs_.push_back(vertex_of(graph, vertices, name));
-      return;
-    }
-    const std::vector<Id> ids = read_ids(vertices, name);
-    refs_.reserve(ids.size());
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const std::optional<VertexRef> found = graph.find_vertex(ids[i]);
-      if (!found)
-        throw InvalidArgument(RowName{name, i}.text() + ": there is no vertex with the id " +
-                              std::to_string(ids[i]));
-      refs_.push_back(*found);
-    }
+    refs_ =
+        is_shared_ ? std::vector{vertex_of(graph, vertices, name)} : vertices_of_array(graph, vertices, name);
   }
   bool fits(std::size_t count) const { return is_shared_ || refs_.size() == count; }
   std::size_t size() const { return refs_.size(); }
@@ -149,17 +162,16 @@ void set_estimates(GraphObject& self, py::handle type, py::handle ids, py::handl
   Graph& graph = self.write();
   const VertexKind& kind = kind_of_class(type, "type");
   const Estimates rows(estimates, kind);
-  const std::vector<Id> names = read_ids(ids, "ids");
-  require_equal(rows.count(), names.size(), "estimates", "ids");
+  const std::vector<VertexRef> vertices = vertices_of_array(graph, ids, "ids");
+  require_equal(rows.count(), vertices.size(), "estimates", "ids");
   const std::uint32_t pool = pool_index_of_kind(graph, kind);
-  const Column vertices(graph, ids, "ids");
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (vertices[i].pool != pool)
       throw py::type_error(RowName{"ids", i}.text() + ": expected a vertex of the type " +
-                           std::string(kind.name) + ", got vertex " + std::to_string(names[i]) +
+                           std::string(kind.name) + ", got vertex " + std::to_string(graph.id(vertices[i])) +
                            " of another type");
   }
-  for (std::size_t i = 0; i < names.size(); ++i) kind.set_row(graph, vertices[i], rows.row(i));
+  for (std::size_t i = 0; i < vertices.size(); ++i) kind.set_row(graph, vertices[i], rows.row(i));
 }
 
 /// The vertices of many edges.
@@ -215,7 +227,7 @@ py::list add_all(Graph& graph, std::size_t count, const Add& add) {
 }
 
 /// The number of edges: that of the measurements or, without measurements, of the longest array of vertices.
-std::size_t count_edges(const py::args& vertices, py::handle measurements) {
+std::size_t count_edges(const Graph& graph, const py::args& vertices, py::handle measurements) {
   if (!measurements.is_none()) {
     const Numbers numbers = read_numbers(measurements, "measurements");
     if (numbers.ndim() == 0) throw_value_error("measurements", "an array with a row per edge", measurements);
@@ -223,14 +235,15 @@ std::size_t count_edges(const py::args& vertices, py::handle measurements) {
   }
   std::size_t count = vertices.empty() ? 0 : 1;
   for (const py::handle column : vertices) {
-    if (!py::isinstance<VertexRef>(column) && !is_integer(column)) return read_ids(column, "vertices").size();
+    if (!py::isinstance<VertexRef>(column) && !is_integer(column))
+      return vertices_of_array(graph, column, "vertices").size();
   }
   return count;
 }
 
 py::list add_function_edges(Graph& graph, const py::object& edge, const py::args& vertices,
                             const py::object& measurements, py::handle informations, bool is_constraint) {
-  const std::size_t count = count_edges(vertices, measurements);
+  const std::size_t count = count_edges(graph, vertices, measurements);
   Columns columns(graph, vertices, count);
   if (count == 0) return py::list();
   columns.require_same_types(graph, count);
@@ -290,7 +303,8 @@ void bind_bulk(GraphClass& type) {
            py::arg("informations") = 1.0, py::arg("camera") = py::none(),
            "add_edges(Between, i, j, measurements=z, informations=omega): adds an edge per row of the "
            "measurements. "
-           "The vertices are arrays of ids, or one vertex for all edges. The informations are a number or a "
+           "The vertices are arrays of ids, lists of VertexRefs, or one vertex for all edges. The "
+           "informations are a number or a "
            "matrix "
            "for all edges, or an array of numbers (n,) or of matrices (n, d, d). Returns the list of "
            "EdgeRefs. Instead of a class, the first argument may be an error function: an object with a "

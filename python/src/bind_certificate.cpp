@@ -30,7 +30,7 @@ constexpr std::tuple kCertificate{Member{"verdict", &Certificate::verdict},
 Certificate certify_graph(GraphObject& graph, py::handle options, py::handle tolerance,
                           py::handle max_escapes, const py::kwargs& changes) {
   const OptionsObject object = options_with(options, changes);
-  CertificateOptions native{.options = object.options,
+  CertificateOptions native{.options = object.for_graph(graph.read()),
                             .tolerance = read_number(tolerance, "tolerance"),
                             .max_escapes = read_int(max_escapes, "max_escapes")};
   GraphObject::Run run(graph);
@@ -66,7 +66,7 @@ void bind_certificate(py::module_& module) {
   module.def(
       "why_not_certifiable",
       [](const GraphObject& graph, py::handle options, const py::kwargs& changes) {
-        return why_not_certifiable(graph.read(), options_with(options, changes).options);
+        return why_not_certifiable(graph.read(), options_with(options, changes).for_graph(graph.read()));
       },
       py::arg("graph").none(false), py::arg("options") = py::none(),
       "Says why certify() refuses a graph. Empty if it does not.");

@@ -19,15 +19,16 @@ using Function = Covariance (*)(const Graph&, std::span<const VertexRef>, const 
 void bind_function(py::module_& module, const char* name, Function function, const char* doc) {
   module.def(
       name,
-      [function](const std::shared_ptr<GraphObject>& graph, py::handle vertices, py::handle options,
-                 const py::kwargs& changes) {
-        const std::vector<VertexRef> refs = vertices_of(graph->read(), vertices, "vertices");
+      [function](GraphObject& graph, py::handle vertices, py::handle options, const py::kwargs& changes) {
+        const std::vector<VertexRef> refs = vertices_of(graph.read(), vertices, "vertices");
         const OptionsObject object = options_with(options, changes);
-        Options native = object.options;
-        native.stop = object.stop ? &object.stop->is_set : nullptr;
-        GraphObject::Run run(*graph);
-        const py::gil_scoped_release release;
-        return CovarianceObject{function(run.graph(), refs, native), graph};
+        const Options native = object.for_graph(graph.read());
+        Covariance result = [&] {
+          GraphObject::Run run(graph);
+          const py::gil_scoped_release release;
+          return function(run.graph(), refs, native);
+        }();
+        return CovarianceObject{std::move(result), py::cast(graph, py::return_value_policy::reference)};
       },
       py::arg("graph").none(false), py::arg("vertices"), py::arg("options") = py::none(), doc);
 }
@@ -36,7 +37,8 @@ void bind_function(py::module_& module, const char* name, Function function, con
 
 void bind_covariance(py::module_& module) {
   py::class_<CovarianceObject> type(
-      module, "Covariance", "Blocks of H⁻¹: the covariances of δ in x ⊞ δ, in the order of the tangent.");
+      module, "Covariance", "Blocks of H⁻¹: the covariances of δ in x ⊞ δ, in the order of the tangent.",
+      collected<CovarianceObject>());
   bind_enum<Covariance::Status>(type);
   type.def("status", [](const CovarianceObject& self) { return self.covariance.status(); })
       .def("ok", [](const CovarianceObject& self) { return self.covariance.ok(); })

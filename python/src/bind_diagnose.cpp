@@ -38,8 +38,7 @@ std::string lines(const Diagnosis& diagnosis) {
 
 Diagnosis diagnose_graph(GraphObject& graph, py::handle options, const py::kwargs& changes) {
   const OptionsObject object = options_with(options, changes);
-  Options native = object.options;
-  native.stop = object.stop ? &object.stop->is_set : nullptr;
+  const Options native = object.for_graph(graph.read());
   GraphObject::Run run(graph);
   const py::gil_scoped_release release;
   return diagnose(run.graph(), native);

@@ -8,13 +8,14 @@
 namespace boxplus::python {
 
 void bind_edge(py::module_& module) {
-  py::class_<EdgeValue> base(module, "Edge", "A measurement. Graph.add_edge() adds it to a graph.");
+  py::class_<EdgeValue> base(module, "Edge", "A measurement. Graph.add_edge() adds it to a graph.",
+                             collected<EdgeValue>());
   base.def(py::init<py::object>(), py::arg("measurement"))
       .def_readwrite("measurement", &EdgeValue::measurement)
       .def("__repr__", [](const py::object& self) {
         return py::str("{}({!r})").format(py::type::of(self).attr("__name__"), self.attr("measurement"));
       });
-  py::class_<CameraEdgeValue, EdgeValue> with_camera(module, "_CameraEdge");
+  py::class_<CameraEdgeValue, EdgeValue> with_camera(module, "_CameraEdge", collected<CameraEdgeValue>());
   with_camera
       .def(py::init([](py::object measurement, py::object camera) {
              return CameraEdgeValue{{std::move(measurement)}, std::move(camera)};
@@ -36,7 +37,8 @@ void bind_edge(py::module_& module) {
   py::class_<ConstraintValue>(
       module, "Constraint",
       "Constraint(edge): an edge whose error must be zero exactly. `edge` is what add_edge() or add_edges() "
-      "takes: an edge, a class of edges or an error function of Python.")
+      "takes: an edge, a class of edges or an error function of Python.",
+      collected<ConstraintValue>())
       .def(py::init([](py::object edge) { return ConstraintValue{std::move(edge)}; }), py::arg("edge"))
       .def_readonly("edge", &ConstraintValue::edge)
       .def("__repr__",

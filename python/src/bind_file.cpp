@@ -71,6 +71,13 @@ void bind_file(py::module_& module, GraphClass& graph) {
           "Writes the graph, in the format of the extension unless `format` names one. Warns "
           "(RuntimeWarning) of what the format does not keep, such as bounds in .g2o.")
       .def(
+          "losses",
+          [](const GraphObject& self, const std::filesystem::path& path, const std::string& format) {
+            return losses(path.string(), self.file(), {.format = format});
+          },
+          py::arg("path"), py::kw_only(), py::arg("format") = "",
+          "What save() would warn of: a list of texts, which is empty if the format keeps everything.")
+      .def(
           "to_text",
           [](const GraphObject& self, const std::string& format) {
             return format_graph(self.file(), {.format = format});

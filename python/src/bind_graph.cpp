@@ -125,8 +125,9 @@ void bind_vertices(GraphClass& type) {
           py::arg("vertex"), py::arg("new_id"))
       .def(
           "fix_directions",
-          [](GraphObject& self, py::handle vertex, const std::vector<int>& directions) {
-            self.write().fix_directions(vertex_of(self.read(), vertex, "vertex"), directions);
+          [](GraphObject& self, py::handle vertex, py::handle directions) {
+            self.write().fix_directions(vertex_of(self.read(), vertex, "vertex"),
+                                        read_ints(directions, "directions"));
           },
           py::arg("vertex"), py::arg("directions"), "Fixes directions of the tangent space, numbered from 0.")
       .def(
@@ -194,7 +195,8 @@ GraphClass bind_graph(py::module_& module) {
   bind_ref<EdgeRef>(module, "EdgeRef", "An edge of a graph. It is valid until the edge is removed.");
   GraphClass type(module, "Graph",
                   "Vertices (estimates) and edges (measurements). Every method that takes a vertex takes its "
-                  "VertexRef or its id.");
+                  "VertexRef or its id.",
+                  collected<GraphObject>());
   type.def(py::init<>());
   bind_estimates(type);
   bind_vertices(type);

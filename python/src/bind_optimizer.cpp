@@ -18,9 +18,8 @@
 namespace boxplus::python {
 namespace {
 
-Options native(const OptionsObject& object, Observer& observer) {
-  Options options = object.options;
-  options.stop = object.stop ? &object.stop->is_set : nullptr;
+Options native(const OptionsObject& object, const Graph& graph, Observer& observer) {
+  Options options = object.for_graph(graph);
   options.callback = [&observer](const IterationRecord& record) { return observer(record); };
   return options;
 }
@@ -39,10 +38,11 @@ py::object optimize_graph(GraphObject& graph, py::handle options, const py::kwar
   GraphObject::Run run(graph);
   Observer observer(run, object.callback);
   const ViewersOfRun viewers(graph);
+  Options native_options = native(object, run.graph(), observer);
   Report report;
   {
     const py::gil_scoped_release release;
-    report = optimize(run.graph(), viewers.watch(native(object, observer)));
+    report = optimize(run.graph(), viewers.watch(std::move(native_options)));
     viewers.show(report);
   }
   observer.rethrow();
@@ -52,19 +52,23 @@ py::object optimize_graph(GraphObject& graph, py::handle options, const py::kwar
 /// An Optimizer and its graph.
 class OptimizerObject {
  public:
-  OptimizerObject(std::shared_ptr<GraphObject> graph, py::handle options, const py::kwargs& changes)
-      : graph_(std::move(graph)), options_(options_with(options, changes)), optimizer_(graph_->write()) {}
+  OptimizerObject(GraphObject& graph, py::handle options, const py::kwargs& changes)
+      : graph_(py::cast(graph, py::return_value_policy::reference)),
+        options_(options_with(options, changes)),
+        optimizer_(graph.write()) {}
 
   py::object run() {
-    const py::list costs = costs_of_functions(graph_->read());
-    GraphObject::Run run(*graph_);
+    GraphObject& graph = this->graph();
+    const py::list costs = costs_of_functions(graph.read());
+    GraphObject::Run run(graph);
     const OptionsObject options = options_;
     Observer observer(run, options.callback);
-    const ViewersOfRun viewers(*graph_);
+    const ViewersOfRun viewers(graph);
+    Options native_options = native(options, run.graph(), observer);
     Report report;
     {
       const py::gil_scoped_release release;
-      optimizer_.set_options(viewers.watch(native(options, observer)));
+      optimizer_.set_options(viewers.watch(std::move(native_options)));
       report = optimizer_.run();
       viewers.show(report);
     }
@@ -75,22 +79,32 @@ class OptimizerObject {
   /// raised.
   using Query = Covariance (Optimizer::*)(std::span<const VertexRef>) const;
   CovarianceObject query(Query function, py::handle vertices) {
-    const std::vector<VertexRef> refs = vertices_of(graph_->read(), vertices, "vertices");
+    GraphObject& graph = this->graph();
+    const std::vector<VertexRef> refs = vertices_of(graph.read(), vertices, "vertices");
     const OptionsObject options = options_;
-    Options native = options.options;
-    native.stop = options.stop ? &options.stop->is_set : nullptr;
-    const GraphObject::Run run(*graph_);
-    const py::gil_scoped_release release;
-    optimizer_.set_options(native);
-    return {(optimizer_.*function)(refs), graph_};
+    const Options native = options.for_graph(graph.read());
+    Covariance result = [&] {
+      const GraphObject::Run run(graph);
+      const py::gil_scoped_release release;
+      optimizer_.set_options(native);
+      return (optimizer_.*function)(refs);
+    }();
+    return {std::move(result), graph_};
   }
   const OptionsObject& options() const { return options_; }
   void set_options(py::handle options, const py::kwargs& changes) {
     options_ = options_with(options, changes);
   }
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    f(graph_);
+    f(options_.callback);
+  }
 
  private:
-  std::shared_ptr<GraphObject> graph_;
+  GraphObject& graph() const { return graph_.cast<GraphObject&>(); }
+
+  const py::object graph_;
   OptionsObject options_;
   Optimizer optimizer_;
 };
@@ -106,9 +120,10 @@ void bind_optimizer(py::module_& module) {
       "estimates are then the best that were found.");
   py::class_<OptimizerObject>(
       module, "Optimizer",
-      "Optimizer(graph, options=None, **options): keeps its plan and its memory between runs.")
-      .def(py::init<std::shared_ptr<GraphObject>, py::handle, const py::kwargs&>(),
-           py::arg("graph").none(false), py::arg("options") = py::none())
+      "Optimizer(graph, options=None, **options): keeps its plan and its memory between runs.",
+      collected<OptimizerObject>())
+      .def(py::init<GraphObject&, py::handle, const py::kwargs&>(), py::arg("graph").none(false),
+           py::arg("options") = py::none())
       .def("run", &OptimizerObject::run, "Optimizes; the plan is reused if the structure has not changed.")
       .def(
           "covariance",

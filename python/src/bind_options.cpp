@@ -17,7 +17,7 @@
 namespace boxplus::python {
 namespace {
 
-/// All options but callback, stop, and custom_linear_solver, which Python cannot write.
+/// All options but vertices, callback, stop, and custom_linear_solver, which Python cannot write.
 constexpr std::tuple kOptions{Member{"algorithm", &Options::algorithm},
                               Member{"linear_solver", &Options::linear_solver},
                               Member{"precision", &Options::precision},
@@ -39,10 +39,9 @@ constexpr std::tuple kOptions{Member{"algorithm", &Options::algorithm},
                               Member{"max_factor_bytes", &Options::max_factor_bytes},
                               Member{"threads", &Options::threads},
                               Member{"level", &Options::level},
-                              Member{"vertices", &Options::vertices},
                               Member{"edges", &Options::edges},
                               Member{"outliers", &Options::outliers}};
-static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 3,
+static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 4,
               "kOptions does not have all members of Options");
 
 template <class T>
@@ -67,11 +66,24 @@ void read(py::handle value, const std::string& name, T& out) {
     try {
       out = value.cast<T>();
     } catch (const py::cast_error&) {
-      throw_type_error(
-          name, std::is_same_v<T, std::vector<EdgeRef>> ? "a list of EdgeRefs" : "a list of VertexRefs",
-          value);
+      throw_type_error(name, "a list of EdgeRefs", value);
     }
   }
+}
+
+void set_vertices(OptionsObject& options, py::handle vertices) {
+  const char* const expected = "a list of VertexRefs or ids";
+  if (!py::isinstance<py::sequence>(vertices)) throw_type_error("Options.vertices", expected, vertices);
+  std::vector<std::variant<VertexRef, Id>> read;
+  for (const py::handle vertex : vertices) {
+    if (py::isinstance<VertexRef>(vertex))
+      read.emplace_back(vertex.cast<VertexRef>());
+    else if (is_integer(vertex))
+      read.emplace_back(read_integer(vertex, "Options.vertices"));
+    else
+      throw_type_error("Options.vertices", expected, vertices);
+  }
+  options.vertices = std::move(read);
 }
 
 void set_callback(OptionsObject& options, const py::object& callback) {
@@ -90,12 +102,23 @@ std::string options_text(const py::object& self) {
     text += (text.empty() ? "" : ", ") + std::string(name) + "=" + std::string(py::repr(value));
   };
   std::apply([&](const auto&... member) { (append(member.name), ...); }, kOptions);
+  append("vertices");
   append("callback");
   append("stop");
   return "Options(" + text + ")";
 }
 
 }  // namespace
+
+Options OptionsObject::for_graph(const Graph& graph) const {
+  Options result = options;
+  for (const auto& vertex : vertices) {
+    const VertexRef* const ref = std::get_if<VertexRef>(&vertex);
+    result.vertices.push_back(ref ? *ref : vertex_of(graph, py::int_(std::get<Id>(vertex)), "vertices"));
+  }
+  result.stop = stop ? &stop->is_set : nullptr;
+  return result;
+}
 
 OptionsObject options_with(py::handle options, const py::kwargs& changes) {
   if (!options.is_none() && !py::isinstance<OptionsObject>(options))
@@ -106,7 +129,7 @@ OptionsObject options_with(py::handle options, const py::kwargs& changes) {
     if (!py::hasattr(object, name)) {
       std::string names;
       std::apply([&](const auto&... member) { ((names += std::string(member.name) + ", "), ...); }, kOptions);
-      throw py::type_error("Options: expected one of " + names + "callback, stop, got " +
+      throw py::type_error("Options: expected one of " + names + "vertices, callback, stop, got " +
                            std::string(py::repr(name)));
     }
     py::setattr(object, name, value);
@@ -133,7 +156,8 @@ void bind_options(py::module_& module) {
   py::class_<OptionsObject> type(
       module, "Options",
       "The options of optimize(); boxplus/optimize/options.h explains each of them. "
-      "Values of enumerations may be given as text: algorithm=\"dogleg\".");
+      "Values of enumerations may be given as text: algorithm=\"dogleg\".",
+      collected<OptionsObject>());
   bind_enum<Options::DampingScale>(type);
   type.def(py::init([](const py::kwargs& changes) { return options_with(py::none(), changes); }));
   const auto bind = [&](const auto& member) {
@@ -146,6 +170,9 @@ void bind_options(py::module_& module) {
   };
   std::apply([&](const auto&... member) { (bind(member), ...); }, kOptions);
   type.def_property(
+          "vertices", [](const OptionsObject& self) { return self.vertices; }, &set_vertices,
+          "Only these vertices move; the others are held. VertexRefs or ids.")
+      .def_property(
           "callback", [](const OptionsObject& self) { return self.callback; }, &set_callback,
           "Called after every iteration with an IterationRecord. If it returns False, the run stops.")
       .def_readwrite("stop", &OptionsObject::stop)

@@ -30,7 +30,7 @@ constexpr std::tuple kOutlierReport{
 OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, py::handle false_alarm,
                    py::handle evidence, py::handle window, const py::kwargs& changes) {
   const OptionsObject object = options_with(options, changes);
-  OutlierOptions native{.options = object.options,
+  OutlierOptions native{.options = object.for_graph(graph.read()),
                         .suspects = read_enumerator<Suspects>(suspects, "suspects"),
                         .false_alarm = read_number(false_alarm, "false_alarm"),
                         .evidence = read_number(evidence, "evidence"),

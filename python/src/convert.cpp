@@ -23,10 +23,44 @@ std::string place(const py::array& array, py::ssize_t index) {
   return py::str(py::list(indices));
 }
 
+/// The first masked array (numpy.ma) with masked numbers: the value, or an item of its lists and tuples.
+/// NumPy would forget its mask. Null if there is none.
+py::object find_masked(py::handle value, py::ssize_t dims) {
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    if (dims == 0) return {};
+    for (const py::handle item : py::reinterpret_borrow<py::sequence>(value)) {
+      if (py::object found = find_masked(item, dims - 1)) return found;
+    }
+    return {};
+  }
+  const bool is_plain = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
+  if (is_plain || !py::isinstance<py::array>(value)) return {};
+  const py::module_ ma = py::module_::import("numpy.ma");
+  if (!py::isinstance(value, ma.attr("MaskedArray")) || !ma.attr("is_masked")(value).cast<bool>()) return {};
+  return py::reinterpret_borrow<py::object>(value);
+}
+
+void require_unmasked(py::handle value, py::ssize_t dims, std::string_view name) {
+  const py::object masked = find_masked(value, dims);
+  if (masked)
+    py::module_::import("boxplus._masks").attr("require_unmasked")(py::make_tuple(masked), std::string(name));
+}
+
 /// A NumPy array of any type.
 py::array read_any(py::handle value, std::string_view name, std::string_view expected) {
   py::array array = py::array::ensure(value);
   if (!array) throw_type_error(name, expected, value);
+  require_unmasked(value, array.ndim(), name);
+  return array;
+}
+
+/// A one-dimensional array of integers. An empty one may have another type.
+py::array read_integers(py::handle value, std::string_view name) {
+  const std::string expected = "an array of integers of shape (n,)";
+  py::array array = read_any(value, name, expected);
+  if (array.ndim() != 1) throw_value_error(name, expected, array);
+  const char kind = array.dtype().kind();
+  if (array.size() > 0 && kind != 'i' && kind != 'u') throw_type_error(name, expected, array);
   return array;
 }
 
@@ -120,13 +154,15 @@ int read_int(py::handle value, std::string_view name) {
   return static_cast<int>(number);
 }
 
+std::vector<int> read_ints(py::handle value, std::string_view name) {
+  std::vector<int> result;
+  for (const py::handle item : read_integers(value, name)) result.push_back(read_int(item, name));
+  return result;
+}
+
 std::vector<Id> read_ids(py::handle value, std::string_view name) {
-  const std::string expected = "an array of integers of shape (n,)";
-  const py::array array = read_any(value, name, expected);
-  if (array.ndim() != 1) throw_value_error(name, expected, array);
+  const py::array array = read_integers(value, name);
   if (array.size() == 0) return {};
-  const char kind = array.dtype().kind();
-  if (kind != 'i' && kind != 'u') throw_type_error(name, expected, array);
   const auto ids = py::array_t<Id, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!ids) throw py::error_already_set();
   const Id* const end = ids.data() + ids.size();

@@ -44,6 +44,7 @@ double read_number(py::handle value, std::string_view name);
 bool is_integer(py::handle value);
 std::int64_t read_integer(py::handle value, std::string_view name);
 int read_int(py::handle value, std::string_view name);
+std::vector<int> read_ints(py::handle value, std::string_view name);
 /// A one-dimensional array of integers that are not negative.
 std::vector<Id> read_ids(py::handle value, std::string_view name);
 

@@ -2,8 +2,6 @@
 // The class Covariance of Python.
 #pragma once
 
-#include <memory>
-
 #include "boxplus/optimize/covariance.h"
 #include "graph_object.h"
 
@@ -12,10 +10,14 @@ namespace boxplus::python {
 /// A covariance, and its graph, so that vertices can be named by their ids.
 struct CovarianceObject {
   Covariance covariance;
-  std::shared_ptr<GraphObject> graph;
+  const py::object graph;
 
   VertexRef vertex(py::handle vertex, const char* name) const {
-    return vertex_of(graph->read(), vertex, name);
+    return vertex_of(graph.cast<const GraphObject&>().read(), vertex, name);
+  }
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    f(graph);
   }
 };
 

@@ -89,21 +89,15 @@ void stack(const py::list& blocks, std::size_t count, int rows, const std::vecto
 
 }  // namespace
 
-EdgeFunction::EdgeFunction(py::object edge, std::vector<const VertexKind*> kinds)
-    : edge_(std::move(edge)), kinds_(std::move(kinds)) {
-  const py::tuple facts = helpers().attr("describe")(edge_);
+EdgeFunction::EdgeFunction(py::handle edge, std::vector<const VertexKind*> kinds) : kinds_(std::move(kinds)) {
+  const py::tuple facts = helpers().attr("describe")(edge);
   name_ = facts[0].cast<std::string>();
   source_ = facts[1].cast<bool>()   ? JacobianSource::kAnalytic
             : facts[2].cast<bool>() ? JacobianSource::kAutomatic
                                     : JacobianSource::kNumeric;
 }
 
-EdgeFunction::~EdgeFunction() {
-  const py::gil_scoped_acquire lock;
-  edge_ = py::object();
-}
-
-BatchResult EdgeFunction::operator()(const Batch& batch, int rows, Want want) {
+BatchResult EdgeFunction::operator()(py::handle edge, const Batch& batch, int rows, Want want) {
   const auto begin = std::chrono::steady_clock::now();
   const std::size_t count = count_of(batch);
   const py::tuple arguments = arguments_of(batch);
@@ -116,8 +110,8 @@ BatchResult EdgeFunction::operator()(const Batch& batch, int rows, Want want) {
   };
   const Depth depth(depth_);
   const py::tuple answer =
-      helpers().attr("evaluate")(edge_, arguments, dims, rows, static_cast<int>(want),
-                                 seeds_of(batch, kinds_), moved_of(batch, kinds_), objects_of(kinds_));
+      helpers().attr("evaluate")(edge, arguments, dims, rows, static_cast<int>(want), seeds_of(batch, kinds_),
+                                 moved_of(batch, kinds_), objects_of(kinds_));
   const auto errors = answer[0].cast<Numbers>();
   BatchResult result;
   result.rows = static_cast<int>(errors.shape(1));

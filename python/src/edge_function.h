@@ -32,27 +32,24 @@ struct BatchResult {
       jacobians;  ///< n blocks of rows × cols, column-major; empty if only errors were asked for
 };
 
-/// A Python object with a method error(estimates…, measurements) and, optionally, jacobians(…), both for many
-/// edges. The object may be used and destroyed by any thread: each function takes Python's lock (GIL), which
-/// the caller need not have.
+/// How to call a Python object with a method error(estimates…, measurements) and, optionally, jacobians(…),
+/// both for many edges. The object is an argument, because each pool has a reference of its own to it.
 class EdgeFunction {
  public:
   enum class Want { kErrors, kJacobians, kNumericJacobians };
 
   /// `kinds`: of the arguments.
-  EdgeFunction(py::object edge, std::vector<const VertexKind*> kinds);
-  ~EdgeFunction();
+  EdgeFunction(py::handle edge, std::vector<const VertexKind*> kinds);
   EdgeFunction(const EdgeFunction&) = delete;
   EdgeFunction& operator=(const EdgeFunction&) = delete;
 
   const std::vector<const VertexKind*>& kinds() const { return kinds_; }
   const std::string& name() const { return name_; }
-  bool is(py::handle edge) const { return edge_.is(edge); }
   /// Where the Jacobians come from: numeric if an exact derivative failed.
   detail::JacobianSource source() const { return source_; }
   /// Calls the functions of Python. `rows` is the expected number of rows of the error, or 0 if it is not
   /// known. Exceptions of Python pass through; a result of the wrong shape is a ValueError.
-  BatchResult operator()(const Batch& batch, int rows, Want want);
+  BatchResult operator()(py::handle edge, const Batch& batch, int rows, Want want);
 
   /// Whether this thread is in a call of such a function.
   static bool is_called() { return depth_ > 0; }
@@ -67,7 +64,6 @@ class EdgeFunction {
  private:
   inline static thread_local int depth_ = 0;
 
-  py::object edge_;
   std::vector<const VertexKind*> kinds_;
   std::string name_;
   std::atomic<detail::JacobianSource> source_;

@@ -5,6 +5,7 @@
 #include <typeinfo>
 #include <utility>
 
+#include "boxplus/types/inertial.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 #include "edge_kind.h"
@@ -17,6 +18,10 @@ std::span<const EdgeFamily> edge_families() {
        "Measures a pose, a rotation or a point relative to another one of the same type. Vertices: a, b."},
       {"Prior", "Measures a pose, a rotation, a direction, a point, a plane or a line in the world."},
       {"PositionPrior", "Measures the position of a pose in the world, for example by GPS."},
+      {"OffsetPositionPrior",
+       "Measures the position of a sensor on a pose in the world, such as an antenna. Vertices: pose, "
+       "position "
+       "of the sensor in the frame of the pose (lever arm)."},
       {"PointObservation2", "Measures a point in the frame of a pose in the plane. Vertices: pose, point."},
       {"PointObservation3", "Measures a point in the frame of a pose in space. Vertices: pose, point."},
       {"OffsetPointObservation2",
@@ -25,7 +30,9 @@ std::span<const EdgeFamily> edge_families() {
        "Measures a point in the frame of a sensor. Vertices: pose, point, sensor."},
       {"BearingObservation2", "Measures the angle to a point (radians). Vertices: pose, point."},
       {"BearingObservation3", "Measures the direction of a point. Vertices: pose, point."},
-      {"Range", "Measures the distance between a pose and a point (meters). Vertices: pose, point."},
+      {"Range",
+       "Measures the distance between two positions (meters). Vertices: a pose or a point, a pose or a "
+       "point."},
       {"PlaneObservation3",
        "Measures a plane in the frame of a pose or of a sensor. Vertices: pose, plane; or pose, plane, "
        "sensor."},
@@ -67,6 +74,8 @@ std::span<const EdgeKind> edge_kinds() {
         edge_kind<Prior<Line3>, Line3>("Prior"),
         edge_kind<PositionPrior<Vector2>, SE2>("PositionPrior"),
         edge_kind<PositionPrior<Vector3>, SE3>("PositionPrior"),
+        edge_kind<OffsetPositionPrior<Vector2>, SE2, Vector2>("OffsetPositionPrior"),
+        edge_kind<OffsetPositionPrior<Vector3>, SE3, Vector3>("OffsetPositionPrior"),
         edge_kind<PointObservation2, SE2, Vector2>("PointObservation2"),
         edge_kind<PointObservation3, SE3, Vector3>("PointObservation3"),
         edge_kind<OffsetPointObservation2, SE2, Vector2, SE2>("OffsetPointObservation2"),
@@ -74,7 +83,13 @@ std::span<const EdgeKind> edge_kinds() {
         edge_kind<BearingObservation2, SE2, Vector2>("BearingObservation2"),
         edge_kind<BearingObservation3, SE3, Vector3>("BearingObservation3"),
         edge_kind<Range, SE2, Vector2>("Range"),
+        edge_kind<Range, SE2, SE2>("Range"),
+        edge_kind<Range, Vector2, SE2>("Range"),
+        edge_kind<Range, Vector2, Vector2>("Range"),
         edge_kind<Range, SE3, Vector3>("Range"),
+        edge_kind<Range, SE3, SE3>("Range"),
+        edge_kind<Range, Vector3, SE3>("Range"),
+        edge_kind<Range, Vector3, Vector3>("Range"),
         edge_kind<PlaneObservation3, SE3, Plane3>("PlaneObservation3"),
         edge_kind<PlaneObservation3, SE3, Plane3, SE3>("PlaneObservation3"),
         edge_kind<PlaneDifference3, Plane3, Plane3>("PlaneDifference3"),

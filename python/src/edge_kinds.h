@@ -19,16 +19,32 @@ namespace boxplus::python {
 /// An edge that is not in a graph: its family is its Python class.
 struct EdgeValue {
   py::object measurement;
+
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    f(measurement);
+  }
 };
 
 /// An edge with known intrinsic parameters.
 struct CameraEdgeValue : EdgeValue {
   py::object camera;
+
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    EdgeValue::for_each_reference(f);
+    f(camera);
+  }
 };
 
 /// An edge that becomes a constraint: an error function of Python, an EdgeValue or the class of one.
 struct ConstraintValue {
   py::object edge;
+
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    f(edge);
+  }
 };
 
 /// The place of a new edge: a graph or, if `pool` is given, a pool of its type that is not in a graph.

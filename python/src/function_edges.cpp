@@ -20,7 +20,7 @@ std::optional<std::uint32_t> find_pool(const Graph& graph, py::handle edge,
   const auto pools = graph.edge_pools();
   for (std::uint32_t index = 0; index < pools.size(); ++index) {
     const auto* pool = dynamic_cast<const BatchedPool*>(pools[index].get());
-    if (pool == nullptr || !pool->function().is(edge) || pool->width() != width) continue;
+    if (pool == nullptr || !pool->edge().is(edge) || pool->width() != width) continue;
     if (pool->is_constraint() != is_constraint) continue;
     if (pool->function().kinds().size() != vertices.size()) continue;
     bool is_same = true;
@@ -32,8 +32,8 @@ std::optional<std::uint32_t> find_pool(const Graph& graph, py::handle edge,
 }
 
 /// The number of rows of the error of the first edge.
-int count_rows(EdgeFunction& function, const Graph& graph, std::span<const VertexRef> vertices,
-               const Numbers& measurements, int width) {
+int count_rows(EdgeFunction& function, py::handle edge, const Graph& graph,
+               std::span<const VertexRef> vertices, const Numbers& measurements, int width) {
   Batch batch;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const VertexKind& kind = *function.kinds()[i];
@@ -45,7 +45,7 @@ int count_rows(EdgeFunction& function, const Graph& graph, std::span<const Verte
     batch.measurements = Numbers(std::vector<py::ssize_t>{1, width});
     std::copy_n(measurements.data(), width, batch.measurements.mutable_data());
   }
-  return function(batch, 0, EdgeFunction::Want::kErrors).rows;
+  return function(edge, batch, 0, EdgeFunction::Want::kErrors).rows;
 }
 
 }  // namespace
@@ -86,8 +86,8 @@ FunctionEdges::FunctionEdges(Graph& graph, const py::object& edge, std::span<con
     return;
   }
   auto function = std::make_shared<EdgeFunction>(edge, std::move(kinds));
-  rows_ = count_rows(*function, graph, first, measurements_, width_);
-  pool_ = graph.add_edge_pool(std::make_unique<BatchedPool>(std::move(function), std::move(indices),
+  rows_ = count_rows(*function, edge, graph, first, measurements_, width_);
+  pool_ = graph.add_edge_pool(std::make_unique<BatchedPool>(edge, std::move(function), std::move(indices),
                                                             std::move(pools), rows_, width_, is_constraint));
 }
 
@@ -113,6 +113,12 @@ FreshEdge::~FreshEdge() {
 void forget_results(const Graph& graph) {
   for (const auto& pool : graph.edge_pools()) {
     if (const auto* batched = dynamic_cast<const BatchedPool*>(pool.get())) batched->forget();
+  }
+}
+
+void for_each_error_function(const Graph& graph, detail::FunctionRef<void(py::object&)> f) {
+  for (const auto& pool : graph.edge_pools()) {
+    if (auto* batched = dynamic_cast<BatchedPool*>(pool.get())) f(batched->edge());
   }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxplus/base/function_ref.h"
 #include "boxplus/io/graph_file.h"
 
 namespace boxplus::python {
@@ -19,19 +20,21 @@ namespace py = pybind11;
 
 /// Forgets the results of the error functions of Python, which may give other results than before.
 void forget_results(const Graph& graph);
+/// Calls f with the reference of each pool of a graph to an error function of Python.
+void for_each_error_function(const Graph& graph, detail::FunctionRef<void(py::object&)> f);
 
 class ViewerInterface;
 
 /// A run releases Python's lock (GIL). Other Python threads cannot touch the graph meanwhile: read() and
 /// write() throw InvalidArgument. The callback of a run may read the graph and exchange kernels.
-class GraphObject {
+class GraphObject : public std::enable_shared_from_this<GraphObject> {
  public:
   enum class Use { kFree, kRun, kCallback, kLent };
 
   GraphObject() = default;
   explicit GraphObject(GraphFile file) : file_(std::move(file)) {}
   /// A deep copy. Throws InvalidArgument if `other` is in a run.
-  GraphObject(const GraphObject& other) : file_(other.file()) {}
+  GraphObject(const GraphObject& other) : enable_shared_from_this(), file_(other.file()) {}
   GraphObject& operator=(const GraphObject&) = delete;
 
   const Graph& read() const { return file().graph; }
@@ -49,6 +52,13 @@ class GraphObject {
   const GraphFile& file() const {
     require(is_readable());
     return file_;
+  }
+
+  /// For the garbage collector: calls f with each error function. It must not see those of a graph that runs,
+  /// or that something else than its object of Python keeps.
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    if (use_ == Use::kFree && weak_from_this().use_count() == 1) for_each_error_function(file_.graph, f);
   }
 
   void add_viewer(const std::shared_ptr<ViewerInterface>& viewer) {

@@ -6,7 +6,10 @@
 
 #include <atomic>
 #include <memory>
+#include <variant>
+#include <vector>
 
+#include "boxplus/graph/graph.h"
 #include "boxplus/optimize/options.h"
 
 namespace boxplus::python {
@@ -19,9 +22,17 @@ struct StopFlag {
 };
 
 struct OptionsObject {
-  Options options;                   ///< without callback and stop
+  Options options;  ///< without vertices, callback and stop
+  std::vector<std::variant<VertexRef, Id>> vertices = {};
   py::object callback = py::none();  ///< called with an IterationRecord
   std::shared_ptr<StopFlag> stop = nullptr;
+
+  /// The options of a run, but for the callback. Throws InvalidArgument if an id is none of this graph.
+  Options for_graph(const Graph& graph) const;
+  template <class Function>
+  void for_each_reference(const Function& f) {
+    f(callback);
+  }
 };
 
 /// A copy of `options` (an Options or None), changed by keyword arguments. Throws TypeError for a name that

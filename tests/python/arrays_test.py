@@ -125,6 +125,29 @@ class Arrays(unittest.TestCase):
         self.assert_refused(TypeError, "ids[1]: expected a vertex of the type SE2",
                             lambda: graph.set_estimates(SE2, [0, graph.id(graph.add_vertex(Vector2(0, 0)))], np.ones((2, 3))))
 
+    def test_vertices_of_arrays_may_be_vertex_refs(self):
+        graph = line(3)
+        refs = graph.all_vertices()
+        for first, second in ((refs[:2], refs[1:]), ([0, refs[1]], np.array(refs[1:])), (tuple(refs[:2]), [1, 2])):
+            edges = graph.add_edges(Between, first, second, measurements=np.ones((2, 3)))
+            self.assertEqual([graph.vertices(edge) for edge in edges], [refs[:2], refs[1:]])
+        graph.set_estimates(SE2, refs[1:], [[7, 8, 0], [9, 10, 0]])
+        self.assertEqual(graph.estimate(2), SE2(9, 10, 0))
+        removed = graph.add_vertex(SE2())
+        graph.remove(removed)
+        before = graph.to_text()
+        other = boxplus.Graph()
+        other.add_vertex(Vector2(1, 2))
+        for wrong in (removed, line(2).vertex(1), other.add_vertex(SE2())):
+            self.assert_refused(boxplus.InvalidArgument, "vertices[1][1]: expected a vertex of this graph",
+                                lambda: graph.add_edges(Between, refs[:2], [refs[1], wrong], measurements=np.ones((2, 3))))
+            self.assert_refused(boxplus.InvalidArgument, "ids[1]: expected a vertex of this graph",
+                                lambda: graph.set_estimates(SE2, [refs[1], wrong], np.ones((2, 3))))
+            self.assertEqual(graph.to_text(), before)
+        self.assert_refused(TypeError, "vertices[1][1]: expected a VertexRef or the id of a vertex, got 'c' (str)",
+                            lambda: graph.add_edges(Between, refs[:2], [refs[1], "c"], measurements=np.ones((2, 3))))
+        self.assertEqual(len(graph.add_edges(lambda a, b: b.x() - a.x() - 1, refs[:2], refs[1:])), 2)
+
     def test_wrong_edges_are_refused_and_change_nothing(self):
         graph = line(3)
         graph.add_vertex(Vector2(0, 0), 9)
@@ -158,21 +181,42 @@ class Arrays(unittest.TestCase):
     def test_a_masked_array_is_refused_if_numbers_are_masked(self):
         graph = line(3)
         edge = graph.add_edge(Between(boxplus.SE2()), 0, 1)
-        before = graph.to_text()
         masked = np.ma.array([[1.0, 2, 3], [4, 5, 6]], mask=[[False] * 3, [False, True, False]])
         row, omega = masked[1], np.ma.masked_equal(np.eye(3), 0)
         i = np.ma.array([0, 1], mask=[True, False])
-        for method, arguments, options in (
-                ("add_vertices", (SE2, [5, 6], masked), {}), ("set_estimates", (SE2, [0, 1], masked), {}),
-                ("add_edges", (Between, [0, 1], [1, 2]), {"measurements": masked}),
-                ("add_edges", (Between, i, [1, 2]), {"measurements": np.ones((2, 3))}),
-                ("add_edges", (Between, [0, 1], [1, 2]), {"measurements": np.ones((2, 3)), "informations": omega}),
-                ("add_vertex", (row[:2],), {}), ("set_information", (edge, omega), {}),
-                ("add_edge", (Between(boxplus.SE2()), 0, 2), {"information": omega})):
-            with self.subTest(method):
-                self.assert_refused(ValueError, f"Graph.{method}: expected an array without masked numbers, got a masked array",
-                                    lambda: getattr(graph, method)(*arguments, **options))
-                self.assertEqual(graph.to_text(), before)
+        quaternion = np.ma.array([0, 0, 0, 1.0], mask=[False, False, False, True])
+        camera = boxplus.SimplePinholeCamera(500, 320, 240)
+        pose, point = graph.add_vertex(SE3()), graph.add_vertex([0.0, 0, 5])
+        before = graph.to_text()
+        for name, call in (
+                ("estimates", lambda: graph.add_vertices(SE2, [5, 6], masked)),
+                ("estimates", lambda: graph.add_vertices(SE2, [5, 6], list(masked))),
+                ("estimates", lambda: graph.set_estimates(SE2, [0, 1], masked)),
+                ("ids", lambda: graph.set_estimates(SE2, i, np.ones((2, 3)))),
+                ("measurements", lambda: graph.add_edges(Between, [0, 1], [1, 2], measurements=masked)),
+                (r"vertices\[0\]", lambda: graph.add_edges(Between, i, [1, 2], measurements=np.ones((2, 3)))),
+                ("informations", lambda: graph.add_edges(Between, [0, 1], [1, 2], measurements=np.ones((2, 3)),
+                                                         informations=omega)),
+                ("estimate", lambda: graph.add_vertex(row[:2])), ("estimate", lambda: graph.add_vertex((SE3(), row))),
+                ("estimate", lambda: graph.add_parameter(row)),
+                ("information", lambda: graph.set_information(edge, omega)),
+                ("information", lambda: graph.add_edge(Between(SE2()), 0, 2, information=omega)),
+                ("measurement", lambda: graph.add_edge(Prior(row), point)),
+                ("measurement", lambda: graph.add_edge(boxplus.PositionPrior(row), pose)),
+                ("measurement", lambda: graph.add_edge(boxplus.PointObservation3(row), pose, point)),
+                ("measurement", lambda: graph.add_edge(boxplus.Constraint(Prior(row)), point)),
+                ("measurement", lambda: graph.add_edge(boxplus.CalibratedReprojection(row[:2], camera), pose, point)),
+                ("measurements", lambda: graph.add_edges(boxplus.CalibratedReprojection, pose, point, camera=camera,
+                                                         measurements=[row[:2]])),
+                ("directions", lambda: graph.fix_directions(0, i)), ("rotation", lambda: SE3([0, 0, 0], quaternion)),
+                ("vector", lambda: SE2.from_vector(row)), ("delta", lambda: SE2().oplus(row)),
+                ("coefficients", lambda: boxplus.Plane3(quaternion)), ("moment", lambda: boxplus.Line3(row, [0, 0, 1])),
+                ("parameters|vector", lambda: boxplus.SimplePinholeCamera.from_vector(row)),
+                ("point", lambda: camera.project(row)), ("rows", lambda: boxplus.rows.times(masked, masked))):
+            with self.subTest(name), self.assertRaisesRegex(
+                    ValueError, f"^({name}): expected an array without masked numbers, got a masked array"):
+                call()
+            self.assertEqual(graph.to_text(), before)
         graph.add_vertices(SE2, [5], np.ma.array([[1.0, 2, 3]], mask=False))
         self.assertEqual(graph.estimate(5).vector().tolist(), [1, 2, 3])
 

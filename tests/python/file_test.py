@@ -40,6 +40,21 @@ class Files(unittest.TestCase):
             warnings.simplefilter("error")
             graph.save(self.path.with_suffix(".json"))
 
+    def test_edges_with_functions_are_never_left_out_without_a_word(self):
+        graph = boxplus.Graph()
+        pose, point = graph.add_vertex(boxplus.SE3()), graph.add_vertex([0.0, 0, 5])
+        camera = graph.add_parameter(boxplus.PinholeCamera(500, 500, 320, 240))
+        graph.add_edge(boxplus.Reprojection([320, 240]), pose, point, camera)
+        graph.add_edge(lambda x: x[0], point)
+        for name in ("COLMAP", "COLMAP-text"):
+            with self.assertWarnsRegex(RuntimeWarning, "the format does not keep 1 edge <lambda>"):
+                graph.save(self.path.with_name(name), format=name)
+            self.assertEqual(graph.losses(self.path.with_name(name), format=name), ["1 edge <lambda>"])
+        graph.remove(graph.find_parameter(0))
+        for name in ("g2o", "json"):
+            with self.assertRaisesRegex(boxplus.InvalidArgument, "cannot write edges of type <lambda>"):
+                graph.save(self.path.with_suffix("." + name))
+
     def test_bad_input_is_an_error_with_file_line_and_column(self):
         with self.assertRaises(boxplus.InputError) as raised:
             self.load(FILE_2D + "VERTEX_SE2 5 0 zero 0\n")

@@ -16,6 +16,13 @@ from g2o._groups import GroupWithJacobians
 from g2o_worlds import WORLDS, add, join, optimizer_for, square
 
 
+class OwnPose(g2o.VertexSE2):
+    """A pose whose steps are computed in Python, so that its runs are of one iteration each."""
+
+    def oplus_impl(self, step):
+        self.set_estimate(self.estimate() * g2o.SE2(*step))
+
+
 class Optimize(unittest.TestCase):
     def native(self, optimizer):
         with tempfile.TemporaryDirectory() as folder:
@@ -88,6 +95,42 @@ class Optimize(unittest.TestCase):
         optimizer.set_algorithm(None)
         with self.assertWarnsRegex(RuntimeWarning, "set_algorithm"):
             self.assertEqual(optimizer.optimize(5), -1)
+
+    def test_optimize_of_an_optimal_graph_returns_what_g2o_returns(self):
+        for in_steps in (False, True):
+            for algorithm, expected in ((g2o.OptimizationAlgorithmGaussNewton, 10), (g2o.OptimizationAlgorithmLevenberg, 1),
+                                        (g2o.OptimizationAlgorithmDogleg, 1)):
+                optimizer = g2o.SparseOptimizer()
+                optimizer.set_algorithm(algorithm(g2o.BlockSolverSE2(g2o.LinearSolverEigenSE2())))
+                seen = []
+                optimizer.add_post_iteration_action(lambda _, iteration: seen.append(iteration))
+                for i in range(3):
+                    vertex = (OwnPose if in_steps else g2o.VertexSE2)()
+                    vertex.set_id(i)
+                    vertex.set_estimate(g2o.SE2(0.5 * i, 0, 0))
+                    vertex.set_fixed(i == 0)
+                    optimizer.add_vertex(vertex)
+                for i in range(2):
+                    edge = g2o.EdgeSE2()
+                    edge.set_vertex(0, optimizer.vertex(i))
+                    edge.set_vertex(1, optimizer.vertex(i + 1))
+                    edge.set_measurement(g2o.SE2(0.5, 0, 0))
+                    edge.set_information(np.eye(3))
+                    optimizer.add_edge(edge)
+                optimizer.initialize_optimization()
+                with self.subTest(algorithm.__name__, in_steps=in_steps):
+                    self.assertEqual(optimizer.optimize(10), expected)
+                    self.assertEqual(seen, list(range(expected)))
+                    self.assertEqual(optimizer.optimize(0), 0)
+                    self.assertEqual(optimizer.vertex(2).estimate().to_vector().tolist(), [1, 0, 0])
+
+    def test_an_action_ends_the_iterations_that_find_no_step(self):
+        optimizer = square()
+        optimizer.set_algorithm(g2o.OptimizationAlgorithmGaussNewton(g2o.BlockSolverSE2(g2o.LinearSolverEigenSE2())))
+        optimizer.initialize_optimization()
+        self.assertEqual(optimizer.optimize(30), 30)
+        optimizer.add_post_iteration_action(lambda _, iteration: iteration < 3)
+        self.assertEqual(optimizer.optimize(30), 4)
 
     def test_changes_between_runs_take_part(self):
         optimizer = square()

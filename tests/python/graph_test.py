@@ -119,13 +119,17 @@ class Edges(unittest.TestCase):
         for edge, vertices in (
                 (Prior(SE2()), (pose,)), (Prior(SE3()), (pose3,)), (Prior([1, 2]), (point,)),
                 (Prior([1, 2, 3]), (point3,)), (boxplus.PositionPrior([1, 2]), (pose,)),
-                (boxplus.PositionPrior([1, 2, 3]), (pose3,)), (boxplus.PointObservation2([1, 2]), (pose, point)),
+                (boxplus.PositionPrior([1, 2, 3]), (pose3,)), (boxplus.OffsetPositionPrior([1, 2]), (pose, point)),
+                (boxplus.OffsetPositionPrior([1, 2, 3]), (pose3, point3)), (boxplus.PointObservation2([1, 2]), (pose, point)),
                 (boxplus.PointObservation3([1, 2, 3]), (pose3, point3)),
                 (boxplus.OffsetPointObservation2([1, 2]), (pose, point, sensor)),
                 (boxplus.OffsetPointObservation3([1, 2, 3]), (pose3, point3, sensor3)),
                 (boxplus.BearingObservation2(0.5), (pose, point)),
                 (boxplus.BearingObservation3([1, 0, 0]), (pose3, point3)), (boxplus.Range(2), (pose, point)),
-                (boxplus.Range(2.5), (pose3, point3)), (Prior(x_plane), (plane,)), (Prior(x_line), (line,)),
+                (boxplus.Range(2.5), (pose3, point3)), (boxplus.Range(3), (point, pose)), (boxplus.Range(3), (point3, pose3)),
+                (boxplus.Range(1), (point, graph.add_vertex([4, 6]))), (boxplus.Range(1), (pose, graph.add_vertex(SE2(1, 0, 0)))),
+                (boxplus.Range(1), (point3, graph.add_vertex([0, 0, 1]))),
+                (boxplus.Range(1), (pose3, graph.add_vertex(SE3([1, 0, 0], [0, 0, 0, 1])))), (Prior(x_plane), (plane,)), (Prior(x_line), (line,)),
                 (boxplus.PlaneObservation3(x_plane), (pose3, plane)),
                 (boxplus.PlaneObservation3(x_plane), (pose3, plane, sensor3)),
                 (boxplus.PlaneDifference3([0, 0, 0, 1]), (plane, graph.add_vertex(x_plane))),
@@ -134,6 +138,22 @@ class Edges(unittest.TestCase):
             added = graph.add_edge(edge, *vertices)
             self.assertEqual(numbers(graph.measurement(added)), numbers(edge.measurement))
             self.assertTrue(np.isfinite(graph.chi2(added)))
+
+    def test_a_range_measures_the_distance_of_two_points(self):
+        graph = Graph()
+        graph.add_vertices(boxplus.Vector3, [0, 1], [[1, 2, 3], [1, 5, 7]])
+        edge, = graph.add_edges(boxplus.Range, [0], [1], measurements=[4])
+        self.assertEqual(graph.error(edge).tolist(), [1])
+        graph.fix(0)
+        self.assertAlmostEqual(boxplus.optimize(graph).chi2_final, 0)
+        with self.assertRaisesRegex(TypeError, "Range: expected vertices of the types"):
+            graph.add_edge(boxplus.Range(1), 0, graph.add_vertex([1, 2]))
+
+    def test_an_offset_position_prior_measures_the_position_of_a_sensor(self):
+        graph = Graph()
+        pose, arm = graph.add_vertex(SE2(1, 2, np.pi / 2)), graph.add_parameter([3.0, 0])
+        edge = graph.add_edge(boxplus.OffsetPositionPrior([1, 4.5]), pose, arm)
+        np.testing.assert_allclose(graph.error(edge), [0, 0.5], atol=1e-15)
 
     def test_kernels_are_chosen_by_name(self):
         graph, edges = square()

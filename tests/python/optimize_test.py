@@ -73,7 +73,9 @@ class Runs(unittest.TestCase):
                 (TypeError, "Options.start: expected one of 'current'", {"start": boxplus.AlgorithmKind.kDogleg}),
                 (TypeError, "Options.cost_tolerance: expected a float, got '1' (str)", {"cost_tolerance": "1"}),
                 (TypeError, "Options.numeric_jacobians: expected a bool, got 1 (int)", {"numeric_jacobians": 1}),
-                (TypeError, "Options.vertices: expected a list of VertexRefs, got [0] (list)", {"vertices": [0]}),
+                (TypeError, "Options.vertices: expected a list of VertexRefs or ids, got [0.5] (list)", {"vertices": [0.5]}),
+                (TypeError, "Options.vertices: expected a list of VertexRefs or ids, got 0 (int)", {"vertices": 0}),
+                (InvalidArgument, "vertices: there is no vertex with the id 9", {"vertices": [9]}),
                 (TypeError, "Options.callback: expected a function or None, got 3 (int)", {"callback": 3}),
                 (InvalidArgument, "", {"cost_tolerance": float("nan")})):
             with self.subTest(text), self.assertRaises(error) as raised:
@@ -89,10 +91,18 @@ class Runs(unittest.TestCase):
                     function(graph)
 
     def test_only_listed_vertices_move(self):
+        for listed in (lambda graph: [graph.vertex(2)], lambda graph: [2], lambda graph: np.array([2])):
+            for run in (optimize, lambda graph, **options: Optimizer(graph, **options).run()):
+                graph, _ = square()
+                run(graph, vertices=listed(graph))
+                self.assertEqual(graph.estimate(1), SE2(0.9, 0.1, 1.4))
+                self.assertNotEqual(graph.estimate(2), SE2(1.2, 1.1, 3))
+
+    def test_options_keep_vertices_as_they_were_given(self):
         graph, _ = square()
-        optimize(graph, vertices=[graph.vertex(2)])
-        self.assertEqual(graph.estimate(1), SE2(0.9, 0.1, 1.4))
-        self.assertNotEqual(graph.estimate(2), SE2(1.2, 1.1, 3))
+        options = boxplus.Options(vertices=[2, graph.vertex(1)])
+        self.assertEqual(options.vertices, [2, graph.vertex(1)])
+        self.assertEqual(boxplus.diagnose(graph, options).count("error"), 0)
 
     def test_an_optimizer_reuses_its_plan(self):
         graph, _ = square()

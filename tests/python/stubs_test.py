@@ -76,6 +76,9 @@ class Stubs(unittest.TestCase):
                 self.assertEqual(arguments(node), arguments(functions[function]), function)
                 self.assertTrue(ast.get_docstring(functions[function]), function)
 
+    def test_the_module_has_the_version_of_the_project(self):
+        self.assertRegex(boxplus.__version__, r"^\d+\.\d+\.\d+$")
+
     def test_every_class_and_function_has_a_documentation(self):
         for name in boxplus.__all__:
             self.assertTrue(getattr(boxplus, name).__doc__, name)
