@@ -95,8 +95,8 @@ void ClosureSearch::measure() {
   for (std::size_t k = 0; k < chi2_.size(); ++k) chi2_[k] = graph_.chi2(poses_.closures[k].edge);
   // If the noise is far below Ω, a limit in proportion to Ω accepts closures that disagree with all others.
   constexpr double kMargin = 25;
-  const double scale = noise_scale();
-  limit_scale_ = std::max(scale, std::min(1.0, kMargin * scale));
+  noise_scale_ = noise_scale();
+  limit_scale_ = std::max(noise_scale_, std::min(1.0, kMargin * noise_scale_));
 }
 
 double ClosureSearch::noise_scale() const {
@@ -218,7 +218,7 @@ void ClosureSearch::accept_in_stages() {
 }
 
 bool ClosureSearch::may_add(std::size_t closure) const {
-  return !accepted_[closure] && ejections_[closure] < kMostEjections;
+  return !accepted_[closure] && ejections_[closure] < kMostEjections && !cycles_.is_contested(closure);
 }
 
 /// If closures agree with each other, either all of them are false or none is. False groups are small, so a
@@ -338,12 +338,21 @@ void ClosureSearch::settle() {
   }
 }
 
+/// The limit below which a closure is part of the result. A single false closure bends the map until its own error
+/// is small, and a few of thousands agree by chance. So the margin for noise that is far below Ω grows with the
+/// number of closures that support it.
+double ClosureSearch::limit_of_result(std::size_t closure) const {
+  const bool is_contested = cycles_.is_contested(closure);
+  const double margin = is_contested ? 1 : 1.0 + cycles_.supporters[closure];
+  const double share = is_contested || (!accepted_[closure] && !is_supported(closure)) ? kWellBelow : 1;
+  return share * quantile_[closure] * std::min(limit_scale_, margin * noise_scale_);
+}
+
 /// Accepts the closures below their limits, and rejects the others. Returns whether anything changed.
 bool ClosureSearch::reconsider(bool may_add) {
   bool changed = false;
   for (std::size_t k = 0; k < chi2_.size(); ++k) {
-    const double factor = accepted_[k] || is_supported(k) ? 1 : kWellBelow;
-    const bool fits = is_bridge_[k] || chi2_[k] <= factor * limit(k);
+    const bool fits = is_bridge_[k] || chi2_[k] <= limit_of_result(k);
     if (fits == static_cast<bool>(accepted_[k]) || (fits && !may_add)) continue;
     accepted_[k] = fits ? 1 : 0;
     changed = true;
