@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/default_width.h"
@@ -218,7 +219,7 @@ void ClosureSearch::accept_in_stages() {
 }
 
 bool ClosureSearch::may_add(std::size_t closure) const {
-  return !accepted_[closure] && ejections_[closure] < kMostEjections && !cycles_.is_contested(closure);
+  return !accepted_[closure] && ejections_[closure] < kMostEjections;
 }
 
 /// If closures agree with each other, either all of them are false or none is. False groups are small, so a
@@ -268,19 +269,21 @@ bool ClosureSearch::add_on_trial(std::span<const Deviation> deviations) {
 }
 
 /// The evidence with which a group or a closure without support is more likely true than false. Of n false
-/// ones, n e^−x have at least x nats of evidence by chance.
+/// ones, n e^−x have at least x nats of evidence by chance: at most 0.05 if x = log n + 3.
 ClosureSearch::Needed ClosureSearch::needed_on_trial() const {
-  constexpr double kAtLeast = 3, kMargin = 1;
+  constexpr double kAtLeast = 3, kMargin = 3;
   std::set<std::uint32_t> groups;
-  std::size_t lone = 0;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> lone;  // copies count once
   for (std::size_t k = 0; k < accepted_.size(); ++k) {
     if (accepted_[k]) continue;
-    is_supported(k) ? void(groups.insert(cycles_.group[k])) : void(++lone);
+    const PoseEdge& closure = poses_.closures[k];
+    is_supported(k) ? void(groups.insert(cycles_.group[k])) : void(lone.emplace(closure.from, closure.to));
   }
   const auto needed = [&](std::size_t count) {
-    return std::max(kAtLeast, std::log(static_cast<double>(std::max<std::size_t>(1, count))) + kMargin);
+    const double by_chance = std::log(static_cast<double>(std::max<std::size_t>(1, count)));
+    return std::max(kAtLeast, by_chance + std::min(by_chance, kMargin));
   };
-  return {needed(groups.size()), needed(lone)};
+  return {needed(groups.size()), needed(lone.size())};
 }
 
 void ClosureSearch::eject(int penalty) {
@@ -338,13 +341,12 @@ void ClosureSearch::settle() {
   }
 }
 
-/// The limit below which a closure is part of the result. A single false closure bends the map until its own error
-/// is small, and a few of thousands agree by chance. So the margin for noise that is far below Ω grows with the
-/// number of closures that support it.
+/// The limit below which a closure is part of the result. A single false closure bends the map until its own
+/// error is small, and a few of thousands agree by chance. So the margin for noise that is far below Ω grows
+/// with the number of closures that support it.
 double ClosureSearch::limit_of_result(std::size_t closure) const {
-  const bool is_contested = cycles_.is_contested(closure);
-  const double margin = is_contested ? 1 : 1.0 + cycles_.supporters[closure];
-  const double share = is_contested || (!accepted_[closure] && !is_supported(closure)) ? kWellBelow : 1;
+  const double margin = 1.0 + cycles_.supporters[closure];
+  const double share = accepted_[closure] || is_supported(closure) ? 1 : kWellBelow;
   return share * quantile_[closure] * std::min(limit_scale_, margin * noise_scale_);
 }
 

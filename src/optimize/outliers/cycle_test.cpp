@@ -90,7 +90,6 @@ Deviation cycle_deviation(const PoseEdge& a, const PoseEdge& b, const OdometryCh
 
 CycleTests test_cycles(const PoseGraph& poses, const OdometryChain& chain, const Evidence& evidence,
                        double needed, int window) {
-  constexpr double kTolerance = 16;  // of the noise, until two closures contradict each other
   const auto pairs = PairFinder(poses, chain, window).find();
   std::vector<Deviation> deviations;
   deviations.reserve(pairs.size());
@@ -100,7 +99,6 @@ CycleTests test_cycles(const PoseGraph& poses, const OdometryChain& chain, const
   CycleTests result;
   result.support.assign(poses.closures.size(), -std::numeric_limits<double>::infinity());
   result.supporters.assign(poses.closures.size(), 0);
-  result.contradictions = result.supporters;
   result.noise_scale = evidence.noise_scale(deviations);
   DisjointSets sets(poses.closures.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -110,12 +108,6 @@ CycleTests test_cycles(const PoseGraph& poses, const OdometryChain& chain, const
       result.supporters[closure] += odds >= needed;
     }
     if (odds >= needed) sets.join(pairs[k].first, pairs[k].second);
-  }
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (evidence.log_odds(deviations[k], kTolerance * result.noise_scale) > -needed) continue;
-    const auto [a, b] = pairs[k];
-    result.contradictions[a] += result.supporters[b] > 0;
-    result.contradictions[b] += result.supporters[a] > 0;
   }
   std::vector<std::uint32_t> size(poses.closures.size(), 0);
   for (std::uint32_t k = 0; k < poses.closures.size(); ++k) {

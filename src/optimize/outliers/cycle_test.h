@@ -15,13 +15,8 @@ struct CycleTests {
   /// support each other, directly or through others. A closure without support is a group of its own.
   std::vector<std::uint32_t> group;
   std::vector<std::uint32_t> supporters;  ///< for each closure, the number of closures that support it
-  /// For each closure, the number of closures that contradict it although others support them.
-  std::vector<std::uint32_t> contradictions;
   std::vector<std::uint32_t> group_size;  ///< for each closure, the number of closures in its group
   double noise_scale = 1;                 ///< the scale of the noise that explains the cycles
-
-  /// Whether more closures contradict a closure than support it.
-  bool is_contested(std::size_t closure) const { return contradictions[closure] > supporters[closure]; }
 };
 
 /// Tests each closure with its nearest neighbors. Two closures support each other if their log odds are at
