@@ -269,9 +269,9 @@ bool ClosureSearch::add_on_trial(std::span<const Deviation> deviations) {
 }
 
 /// The evidence with which a group or a closure without support is more likely true than false. Of n false
-/// ones, n e^−x have at least x nats of evidence by chance: at most 0.05 if x = log n + 3.
+/// ones, n e^−x have at least x nats of evidence by chance.
 ClosureSearch::Needed ClosureSearch::needed_on_trial() const {
-  constexpr double kAtLeast = 3, kMargin = 3;
+  constexpr double kAtLeast = 3, kMargin = 1;
   std::set<std::uint32_t> groups;
   std::set<std::pair<std::uint32_t, std::uint32_t>> lone;  // copies count once
   for (std::size_t k = 0; k < accepted_.size(); ++k) {
@@ -280,8 +280,7 @@ ClosureSearch::Needed ClosureSearch::needed_on_trial() const {
     is_supported(k) ? void(groups.insert(cycles_.group[k])) : void(lone.emplace(closure.from, closure.to));
   }
   const auto needed = [&](std::size_t count) {
-    const double by_chance = std::log(static_cast<double>(std::max<std::size_t>(1, count)));
-    return std::max(kAtLeast, by_chance + std::min(by_chance, kMargin));
+    return std::max(kAtLeast, std::log(static_cast<double>(std::max<std::size_t>(1, count))) + kMargin);
   };
   return {needed(groups.size()), needed(lone.size())};
 }

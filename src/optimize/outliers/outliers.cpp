@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -55,8 +56,7 @@ class Search {
                                                        const OutlierOptions& options) {
     const outliers::OdometryChain chain(poses);
     const outliers::Evidence evidence(poses, along(chain, poses));
-    const double scale =
-        test_cycles(poses, chain, evidence, options.evidence, options.window).noise_scale;
+    const double scale = test_cycles(poses, chain, evidence, options.evidence, options.window).noise_scale;
     const auto suspects = contradicting_links(poses, evidence, scale, options.evidence);
     poses.suspect([&](std::size_t link) { return suspects[link] != 0; });
     return poses;
@@ -64,14 +64,22 @@ class Search {
 
   const outliers::PoseGraph& poses() const { return poses_; }
   outliers::ClosureSearch& closures() { return closures_; }
-  bool is_supported(std::size_t closure, double evidence) const { return cycles_.support[closure] >= evidence; }
+  bool is_supported(std::size_t closure, double evidence) const {
+    return cycles_.support[closure] >= evidence;
+  }
+  /// The number of accepted closures between poses that are no neighbors.
   std::size_t accepted() {
     const std::vector<EdgeVerdict> verdicts = closures_.verdicts();
-    return static_cast<std::size_t>(
-        std::ranges::count_if(verdicts, [](const EdgeVerdict& edge) { return edge.weight > 0; }));
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < verdicts.size(); ++k)
+      count += verdicts[k].weight > 0 && poses_.closures[k].to - poses_.closures[k].from > 1;
+    return count;
   }
-  std::optional<outliers::Contradiction> contradiction() {
-    return most_contradicted_link(poses_, cycles_, closures_.verdicts());
+  std::optional<outliers::Contradiction> contradiction(const Graph& graph) {
+    return most_contradicted_link(graph, poses_, cycles_, closures_.verdicts());
+  }
+  std::size_t rejected_in_large_groups() {
+    return outliers::rejected_in_large_groups(cycles_, closures_.verdicts());
   }
 
  private:
@@ -89,27 +97,33 @@ class Search {
   outliers::ClosureSearch closures_;
 };
 
-/// Suspects the link that many closures contradict which agree with each other. If this makes most of them fit, the
-/// link is one of the suspects of `search` from now on, and so on. Otherwise, returns the contradiction.
+/// Suspects the links that many closures contradict, and those that accepted closures bend. If more closures
+/// fit without a link, it remains a suspect of `search`. Returns a contradiction that remains.
 std::optional<outliers::Contradiction> suspect_odometry(Graph& graph, const OutlierOptions& options,
                                                         std::unique_ptr<Search>& search) {
-  constexpr int kMostLinks = 20;
-  for (int round = 0; round < kMostLinks && !search->closures().was_stopped(); ++round) {
-    const auto contradiction = search->contradiction();
-    if (!contradiction) return std::nullopt;
+  constexpr int kMostRuns = 20;
+
+  int runs = 0;
+  std::set<std::uint32_t> tried;
+  const auto fits_better_without = [&](std::uint32_t to) {
+    if (!tried.insert(to).second || ++runs > kMostRuns || search->closures().was_stopped()) return false;
+    outliers::PoseGraph poses = search->poses();
+    poses.suspect([&](std::size_t k) { return search->poses().links[k].to == to; });
     outliers::Snapshot before;
     before.take(graph);
-    outliers::PoseGraph poses = search->poses();
-    poses.suspect([&](std::size_t k) { return search->poses().links[k].to == contradiction->to; });
     auto other = std::make_unique<Search>(graph, std::move(poses), options);
     other->run();
-    if (other->accepted() < search->accepted() + contradiction->closures / 2) {
-      before.put_back(graph);
-      return contradiction;
-    }
-    search = std::move(other);
+    const bool is_better = other->accepted() > search->accepted();
+    is_better ? void(search = std::move(other)) : before.put_back(graph);
+    return is_better;
+  };
+  while (true) {
+    const auto contradiction = search->contradiction(graph);
+    if (contradiction && fits_better_without(contradiction->to)) continue;
+    const auto bent = bent_links(graph, search->poses(), search->closures().noise_scale());
+    if (std::ranges::any_of(bent, fits_better_without)) continue;
+    return contradiction;
   }
-  return std::nullopt;
 }
 
 /// Optimizes without false loop closures. With `finish`, also makes the final run and the verdicts.
@@ -121,8 +135,8 @@ OutlierReport find_false_closures(Graph& graph, const outliers::PoseGraph& poses
   OutlierReport result;
   if (!finish) {
     for (std::size_t k = 0; k < search->poses().closures.size(); ++k) {
-      result.verdicts.push_back({.edge = search->poses().closures[k].edge,
-                                 .supported = search->is_supported(k, options.evidence)});
+      result.verdicts.push_back(
+          {.edge = search->poses().closures[k].edge, .supported = search->is_supported(k, options.evidence)});
     }
     return result;
   }
@@ -141,6 +155,10 @@ OutlierReport find_false_closures(Graph& graph, const outliers::PoseGraph& poses
                                         "odometry between {} and {}",
                                         contradiction->closures, graph.id(all[contradiction->to - 1]),
                                         graph.id(all[contradiction->to])));
+  } else if (const std::size_t rejected = search->rejected_in_large_groups()) {
+    outliers::doubt(
+        result, fmt::format("{} rejected loop closures agree with each other, so the odometry may be wrong",
+                            rejected));
   } else {
     outliers::doubt_if_most_are_rejected(result);
   }

@@ -100,9 +100,12 @@ class Reader {
     }
     std::size_t order = 0;
     for (const Found& found : found_) {
-      PoseEdge edge{found.edge,         rank_.at(found.from),
-                    rank_.at(found.to), motion_of(found.relative.motion),
-                    found.spread,       graph_.information(found.edge).rows,
+      PoseEdge edge{found.edge,
+                    rank_.at(found.from),
+                    rank_.at(found.to),
+                    motion_of(found.relative.motion),
+                    found.spread,
+                    graph_.information(found.edge).rows,
                     order++};
       if (edge.from > edge.to) {
         std::swap(edge.from, edge.to);

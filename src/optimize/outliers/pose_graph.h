@@ -46,8 +46,8 @@ struct PoseGraph {
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
   std::vector<Motion> estimates(const Graph& graph) const;
-  /// Makes the links for which is_suspect(index) holds closures, so that they are judged. The odometry then has a
-  /// gap there, unless another link remains.
+  /// Makes the links for which is_suspect(index) holds closures, so that they are judged. The odometry then
+  /// has a gap there, unless another link remains.
   void suspect(detail::FunctionRef<bool(std::size_t)> is_suspect);
 };
 
