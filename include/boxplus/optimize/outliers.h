@@ -55,8 +55,8 @@ struct [[nodiscard]] OutlierReport {
 /// removed. Disabled edges are ignored. Throws InvalidArgument if `options` are out of their ranges.
 ///
 /// Suspects::kLoopClosures, for pose graphs. A closure is an edge that measures the full motion between two
-/// poses that are not neighbors in the order of ids, and whose Ω is regular. All other edges are trusted:
-/// odometry, observations of landmarks, priors. Half of the closures may be false, and false closures may
+/// poses that are not neighbors in the order of ids, and whose Ω is regular. Other edges are trusted: most of
+/// the odometry, observations of landmarks, priors. Half of the closures may be false, and false closures may
 /// agree with each other in small groups. The method:
 ///
 ///   1. The estimates follow the odometry, which false closures cannot distort.
@@ -70,6 +70,12 @@ struct [[nodiscard]] OutlierReport {
 ///      are optimized, and closures with large errors are ejected again.
 ///   4. At the end, every closure is compared with the estimates: it is an inlier if its chi2 is below the
 ///      limit of OutlierOptions::false_alarm. A closure without support needs half of that error.
+///
+/// Odometry is judged, too, where it is doubtful: edges between the same two neighbors that contradict each
+/// other, an edge that many closures contradict which agree with each other, and edges that accepted closures
+/// bend far more than the others. Such an edge is one of the suspects if more closures fit without it. If
+/// many closures that agree with each other remain rejected, `report` is not converged
+/// (Report::Reason::kRejectedEdges), and `note` says why.
 ///
 /// If a gap in the odometry divides the poses into parts, supported closures connect these parts. If there
 /// are none, the gap is bridged by closures that cannot be judged: they are kept with Verdict::kUndecided and

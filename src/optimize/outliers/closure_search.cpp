@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/default_width.h"
@@ -95,8 +96,8 @@ void ClosureSearch::measure() {
   for (std::size_t k = 0; k < chi2_.size(); ++k) chi2_[k] = graph_.chi2(poses_.closures[k].edge);
   // If the noise is far below Ω, a limit in proportion to Ω accepts closures that disagree with all others.
   constexpr double kMargin = 25;
-  const double scale = noise_scale();
-  limit_scale_ = std::max(scale, std::min(1.0, kMargin * scale));
+  noise_scale_ = noise_scale();
+  limit_scale_ = std::max(noise_scale_, std::min(1.0, kMargin * noise_scale_));
 }
 
 double ClosureSearch::noise_scale() const {
@@ -272,15 +273,16 @@ bool ClosureSearch::add_on_trial(std::span<const Deviation> deviations) {
 ClosureSearch::Needed ClosureSearch::needed_on_trial() const {
   constexpr double kAtLeast = 3, kMargin = 1;
   std::set<std::uint32_t> groups;
-  std::size_t lone = 0;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> lone;  // copies count once
   for (std::size_t k = 0; k < accepted_.size(); ++k) {
     if (accepted_[k]) continue;
-    is_supported(k) ? void(groups.insert(cycles_.group[k])) : void(++lone);
+    const PoseEdge& closure = poses_.closures[k];
+    is_supported(k) ? void(groups.insert(cycles_.group[k])) : void(lone.emplace(closure.from, closure.to));
   }
   const auto needed = [&](std::size_t count) {
     return std::max(kAtLeast, std::log(static_cast<double>(std::max<std::size_t>(1, count))) + kMargin);
   };
-  return {needed(groups.size()), needed(lone)};
+  return {needed(groups.size()), needed(lone.size())};
 }
 
 void ClosureSearch::eject(int penalty) {
@@ -338,12 +340,20 @@ void ClosureSearch::settle() {
   }
 }
 
+/// The limit below which a closure is part of the result. A single false closure bends the map until its own
+/// error is small, and a few of thousands agree by chance. So the margin for noise that is far below Ω grows
+/// with the number of closures that support it.
+double ClosureSearch::limit_of_result(std::size_t closure) const {
+  const double margin = 1.0 + cycles_.supporters[closure];
+  const double share = accepted_[closure] || is_supported(closure) ? 1 : kWellBelow;
+  return share * quantile_[closure] * std::min(limit_scale_, margin * noise_scale_);
+}
+
 /// Accepts the closures below their limits, and rejects the others. Returns whether anything changed.
 bool ClosureSearch::reconsider(bool may_add) {
   bool changed = false;
   for (std::size_t k = 0; k < chi2_.size(); ++k) {
-    const double factor = accepted_[k] || is_supported(k) ? 1 : kWellBelow;
-    const bool fits = is_bridge_[k] || chi2_[k] <= factor * limit(k);
+    const bool fits = is_bridge_[k] || chi2_[k] <= limit_of_result(k);
     if (fits == static_cast<bool>(accepted_[k]) || (fits && !may_add)) continue;
     accepted_[k] = fits ? 1 : 0;
     changed = true;

@@ -60,6 +60,7 @@ class ClosureSearch {
   void optimize_briefly(int iterations, Start start = Start::kCurrent);
   void measure();
   double degrees_of_freedom() const;
+  double limit_of_result(std::size_t closure) const;
   double limit(std::size_t closure) const { return quantile_[closure] * limit_scale_; }
 
   Graph& graph_;
@@ -72,6 +73,7 @@ class ClosureSearch {
   std::vector<int> ejections_;
   std::vector<double> chi2_;               // at the current estimates
   std::vector<double> quantile_, median_;  // of chi2, for the rows of each closure
+  double noise_scale_ = 1;                 // at the last measure()
   double limit_scale_ = 1;                 // the factor of the quantiles that gives the limits
   std::optional<Report> all_accepted_;
   std::string note_;

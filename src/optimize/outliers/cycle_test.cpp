@@ -98,12 +98,15 @@ CycleTests test_cycles(const PoseGraph& poses, const OdometryChain& chain, const
   }
   CycleTests result;
   result.support.assign(poses.closures.size(), -std::numeric_limits<double>::infinity());
+  result.supporters.assign(poses.closures.size(), 0);
   result.noise_scale = evidence.noise_scale(deviations);
   DisjointSets sets(poses.closures.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double odds = evidence.log_odds(deviations[k], result.noise_scale);
-    for (const std::uint32_t closure : {pairs[k].first, pairs[k].second})
+    for (const std::uint32_t closure : {pairs[k].first, pairs[k].second}) {
       result.support[closure] = std::max(result.support[closure], odds);
+      result.supporters[closure] += odds >= needed;
+    }
     if (odds >= needed) sets.join(pairs[k].first, pairs[k].second);
   }
   std::vector<std::uint32_t> size(poses.closures.size(), 0);

@@ -14,6 +14,7 @@ struct CycleTests {
   /// For each closure, one closure of its group, the same one for all of a group. The closures of a group
   /// support each other, directly or through others. A closure without support is a group of its own.
   std::vector<std::uint32_t> group;
+  std::vector<std::uint32_t> supporters;  ///< for each closure, the number of closures that support it
   std::vector<std::uint32_t> group_size;  ///< for each closure, the number of closures in its group
   double noise_scale = 1;                 ///< the scale of the noise that explains the cycles
 };

@@ -25,10 +25,15 @@ void doubt_if_most_are_rejected(OutlierReport& result) {
   if (static_cast<double>(rejected) <= kMost * static_cast<double>(count)) return;
   if (result.note.empty())
     result.note = "most loop closures do not fit, so the odometry may be wrong, or Ω by orders of magnitude";
+  doubt(result, fmt::format("{} of the {} loop closures were rejected", rejected, count));
+}
+
+void doubt(OutlierReport& result, const std::string& message) {
+  if (result.note.empty()) result.note = message;
   if (!result.report.converged()) return;
   result.report.status = Report::Status::kNotConverged;
   result.report.reason = Report::Reason::kRejectedEdges;
-  result.report.message = fmt::format("{} of the {} loop closures were rejected", rejected, count);
+  result.report.message = message;
 }
 
 }  // namespace boxplus::outliers

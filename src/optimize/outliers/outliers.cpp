@@ -4,13 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "boxplus/base/error.h"
 #include "boxplus/optimize/optimizer.h"
 #include "optimize/outliers/annealing.h"
 #include "optimize/outliers/closure_search.h"
 #include "optimize/outliers/doubts.h"
+#include "optimize/outliers/false_odometry.h"
+#include "optimize/outliers/snapshot.h"
 
 namespace boxplus {
 namespace {
@@ -29,35 +35,130 @@ void check(const OutlierOptions& options) {
                                       options.options.vertices.size()));
 }
 
+/// A search for false loop closures, with all that it is based on.
+class Search {
+ public:
+  Search(Graph& graph, outliers::PoseGraph poses, const OutlierOptions& options)
+      : poses_(std::move(poses)),
+        chain_(poses_),
+        evidence_(poses_, along(chain_, poses_)),
+        cycles_(test_cycles(poses_, chain_, evidence_, options.evidence, options.window)),
+        closures_(graph, poses_, chain_, cycles_, evidence_, options) {}
+
+  void run() {
+    if (closures_.may_accept_all() && closures_.accept_all()) return;
+    closures_.accept_in_stages();
+    closures_.settle();
+  }
+
+  /// The poses whose links between the same two of them are suspects if they contradict each other.
+  static outliers::PoseGraph suspecting_contradictions(outliers::PoseGraph poses,
+                                                       const OutlierOptions& options) {
+    const outliers::OdometryChain chain(poses);
+    const outliers::Evidence evidence(poses, along(chain, poses));
+    const double scale = test_cycles(poses, chain, evidence, options.evidence, options.window).noise_scale;
+    const auto suspects = contradicting_links(poses, evidence, scale, options.evidence);
+    poses.suspect([&](std::size_t link) { return suspects[link] != 0; });
+    return poses;
+  }
+
+  const outliers::PoseGraph& poses() const { return poses_; }
+  outliers::ClosureSearch& closures() { return closures_; }
+  bool is_supported(std::size_t closure, double evidence) const {
+    return cycles_.support[closure] >= evidence;
+  }
+  /// The number of accepted closures between poses that are no neighbors.
+  std::size_t accepted() {
+    const std::vector<EdgeVerdict> verdicts = closures_.verdicts();
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < verdicts.size(); ++k)
+      count += verdicts[k].weight > 0 && poses_.closures[k].to - poses_.closures[k].from > 1;
+    return count;
+  }
+  std::optional<outliers::Contradiction> contradiction(const Graph& graph) {
+    return most_contradicted_link(graph, poses_, cycles_, closures_.verdicts());
+  }
+  std::size_t rejected_in_large_groups() {
+    return outliers::rejected_in_large_groups(cycles_, closures_.verdicts());
+  }
+
+ private:
+  static std::vector<outliers::Motion> along(const outliers::OdometryChain& chain,
+                                             const outliers::PoseGraph& poses) {
+    std::vector<outliers::Motion> result;
+    for (std::uint32_t k = 0; k < poses.poses.size(); ++k) result.push_back(chain.pose(k));
+    return result;
+  }
+
+  const outliers::PoseGraph poses_;
+  const outliers::OdometryChain chain_;
+  const outliers::Evidence evidence_;
+  const outliers::CycleTests cycles_;
+  outliers::ClosureSearch closures_;
+};
+
+/// Suspects the links that many closures contradict, and those that accepted closures bend. If more closures
+/// fit without a link, it remains a suspect of `search`. Returns a contradiction that remains.
+std::optional<outliers::Contradiction> suspect_odometry(Graph& graph, const OutlierOptions& options,
+                                                        std::unique_ptr<Search>& search) {
+  constexpr int kMostRuns = 20;
+
+  int runs = 0;
+  std::set<std::uint32_t> tried;
+  const auto fits_better_without = [&](std::uint32_t to) {
+    if (!tried.insert(to).second || ++runs > kMostRuns || search->closures().was_stopped()) return false;
+    outliers::PoseGraph poses = search->poses();
+    poses.suspect([&](std::size_t k) { return search->poses().links[k].to == to; });
+    outliers::Snapshot before;
+    before.take(graph);
+    auto other = std::make_unique<Search>(graph, std::move(poses), options);
+    other->run();
+    const bool is_better = other->accepted() > search->accepted();
+    is_better ? void(search = std::move(other)) : before.put_back(graph);
+    return is_better;
+  };
+  while (true) {
+    const auto contradiction = search->contradiction(graph);
+    if (contradiction && fits_better_without(contradiction->to)) continue;
+    const auto bent = bent_links(graph, search->poses(), search->closures().noise_scale());
+    if (std::ranges::any_of(bent, fits_better_without)) continue;
+    return contradiction;
+  }
+}
+
 /// Optimizes without false loop closures. With `finish`, also makes the final run and the verdicts.
 /// Otherwise, the verdicts only contain edges, and whether they are supported.
-OutlierReport search(Graph& graph, const outliers::PoseGraph& poses, const OutlierOptions& options,
-                     bool finish) {
-  const outliers::OdometryChain chain(poses);
-  std::vector<outliers::Motion> along_odometry;
-  for (std::uint32_t k = 0; k < poses.poses.size(); ++k) along_odometry.push_back(chain.pose(k));
-  const outliers::Evidence evidence(poses, along_odometry);
-  const outliers::CycleTests cycles = test_cycles(poses, chain, evidence, options.evidence, options.window);
-  outliers::ClosureSearch search(graph, poses, chain, cycles, evidence, options);
-  if (!search.may_accept_all() || !search.accept_all()) {
-    search.accept_in_stages();
-    search.settle();
-  }
+OutlierReport find_false_closures(Graph& graph, const outliers::PoseGraph& poses,
+                                  const OutlierOptions& options, bool finish) {
+  auto search = std::make_unique<Search>(graph, Search::suspecting_contradictions(poses, options), options);
+  search->run();
   OutlierReport result;
   if (!finish) {
-    for (std::size_t k = 0; k < poses.closures.size(); ++k) {
+    for (std::size_t k = 0; k < search->poses().closures.size(); ++k) {
       result.verdicts.push_back(
-          {.edge = poses.closures[k].edge, .supported = cycles.support[k] >= options.evidence});
+          {.edge = search->poses().closures[k].edge, .supported = search->is_supported(k, options.evidence)});
     }
     return result;
   }
-  result.report = search.finish();
-  result.verdicts = search.verdicts();
-  result.noise_scale = search.noise_scale();
-  result.note = search.note();
-  if (search.was_stopped()) {
+  const auto contradiction = suspect_odometry(graph, options, search);
+  outliers::ClosureSearch& closures = search->closures();
+  result.report = closures.finish();
+  result.verdicts = closures.verdicts();
+  result.noise_scale = closures.noise_scale();
+  result.note = closures.note();
+  if (closures.was_stopped()) {
     result.note = "the search was stopped, so no closure is judged";
     outliers::mark_as_stopped(result.report, options.options);
+  } else if (contradiction) {
+    const std::vector<VertexRef>& all = search->poses().poses;
+    outliers::doubt(result, fmt::format("{} rejected loop closures agree with each other, but not with the "
+                                        "odometry between {} and {}",
+                                        contradiction->closures, graph.id(all[contradiction->to - 1]),
+                                        graph.id(all[contradiction->to])));
+  } else if (const std::size_t rejected = search->rejected_in_large_groups()) {
+    outliers::doubt(
+        result, fmt::format("{} rejected loop closures agree with each other, so the odometry may be wrong",
+                            rejected));
   } else {
     outliers::doubt_if_most_are_rejected(result);
   }
@@ -97,7 +198,7 @@ OutlierReport judge_all(Graph& graph, const OutlierOptions& options) {
   const auto from_odometry = [&] {
     if (poses.closures.empty()) return start_by(Start::kOdometry);
     supported.clear();
-    for (const EdgeVerdict& closure : search(graph, poses, options, false).verdicts) {
+    for (const EdgeVerdict& closure : find_false_closures(graph, poses, options, false).verdicts) {
       if (closure.supported) supported.push_back(closure.edge);
     }
   };
@@ -132,7 +233,7 @@ OutlierReport judge_closures(Graph& graph, const OutlierOptions& options) {
   if (poses.links.empty())
     throw InvalidArgument(
         "find_outliers: expected odometry (edges between poses with consecutive ids), got none");
-  return search(graph, poses, options, true);
+  return find_false_closures(graph, poses, options, true);
 }
 
 }  // namespace

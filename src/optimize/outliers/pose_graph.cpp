@@ -98,10 +98,15 @@ class Reader {
       for (const Found& found : found_) result.others.push_back(found.edge);
       return;
     }
+    std::size_t order = 0;
     for (const Found& found : found_) {
-      PoseEdge edge{found.edge,         rank_.at(found.from),
-                    rank_.at(found.to), motion_of(found.relative.motion),
-                    found.spread,       graph_.information(found.edge).rows};
+      PoseEdge edge{found.edge,
+                    rank_.at(found.from),
+                    rank_.at(found.to),
+                    motion_of(found.relative.motion),
+                    found.spread,
+                    graph_.information(found.edge).rows,
+                    order++};
       if (edge.from > edge.to) {
         std::swap(edge.from, edge.to);
         edge.motion = edge.motion.inverse();
@@ -119,6 +124,13 @@ class Reader {
 
 PoseGraph::PoseGraph(const Graph& graph, const Options& options) {
   Reader(graph).read(*this, options);
+}
+
+void PoseGraph::suspect(detail::FunctionRef<bool(std::size_t)> is_suspect) {
+  std::vector<PoseEdge> trusted;
+  for (std::size_t k = 0; k < links.size(); ++k) (is_suspect(k) ? closures : trusted).push_back(links[k]);
+  links = std::move(trusted);
+  std::ranges::sort(closures, {}, &PoseEdge::order);
 }
 
 std::vector<Motion> PoseGraph::estimates(const Graph& graph) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "boxplus/base/function_ref.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/optimize/options.h"
 #include "optimize/outliers/motion.h"
@@ -27,6 +28,7 @@ struct PoseEdge {
   Motion motion;
   Spread spread;
   int rows = 0;
+  std::size_t order = 0;  ///< among all links and closures of the graph
 };
 
 struct PoseGraph {
@@ -44,6 +46,9 @@ struct PoseGraph {
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
   std::vector<Motion> estimates(const Graph& graph) const;
+  /// Makes the links for which is_suspect(index) holds closures, so that they are judged. The odometry then
+  /// has a gap there, unless another link remains.
+  void suspect(detail::FunctionRef<bool(std::size_t)> is_suspect);
 };
 
 }  // namespace boxplus::outliers
