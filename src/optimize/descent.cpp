@@ -170,6 +170,7 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRaisedChi2;
   }
+  has_lost_influence_ = has_lost_influence_ || !std::ranges::equal(system_.diagonal(), system_.scale());
   iterations_ += result.iterations;
   regularized_steps_ += algorithm_->regularized_steps();
   return result;

@@ -39,6 +39,7 @@ class Descent {
 
   /// The following runs use this algorithm.
   void use(Algorithm& algorithm) { algorithm_ = &algorithm; }
+  Algorithm& algorithm() const { return *algorithm_; }
   /// The following runs of Levenberg-Marquardt damp with this scale, and no longer with Options::damping.
   void damp_by(Options::DampingScale scale);
   /// The following runs leave this many iterations of Options::max_iterations.
@@ -72,6 +73,9 @@ class Descent {
   /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
+  /// Whether some unknown had a large influence in a run, and hardly any at its end. Then the run may have
+  /// ended far from a minimum, where an exponential function has vanished, for example.
+  bool has_lost_influence() const { return has_lost_influence_; }
   /// The number of scalars that leave_flat_directions() displaced.
   int displaced_directions() const { return displaced_directions_; }
   /// The number of rows of the enabled active edges minus the number of unknowns. If Ω is right, this is the
@@ -100,6 +104,7 @@ class Descent {
   std::vector<IterationRecord>& records_;
   double degrees_of_freedom_ = 0;
   int iterations_ = 0, left_out_ = 0, regularized_steps_ = 0, displaced_directions_ = 0;
+  bool has_lost_influence_ = false;
   bool ended_short_ = false;  // whether the last iteration converged with a shortened step
   int uncounted_ = 0;         // the iterations that do not count against the limit
 };

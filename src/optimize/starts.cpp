@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "boxplus/optimize/start_table.h"
+#include "optimize/levenberg_marquardt.h"
 #include "optimize/planned_system.h"
 #include "optimize/stuck.h"
 
@@ -77,29 +78,38 @@ class StartSearch {
 
   RunResult run() {
     const Start start = descent_.options().start;
-    if (may_damp_otherwise()) original_.take(graph(), plan());
-    if (start == Start::kCurrent) return run_current(chi2_original_);
+    if (is_automatic()) original_.take(graph(), plan());
+    if (start == Start::kCurrent) return confirmed(run_current(chi2_original_));
     fallback_.take(graph(), plan());
-    return start == Start::kAutomatic ? run_automatically() : run_from_guess(start);
+    return confirmed(start == Start::kAutomatic ? run_automatically() : run_from_guess(start));
   }
 
  private:
   Graph& graph() { return descent_.graph(); }
   const Plan& plan() { return descent_.system().plan(); }
 
-  /// Whether the damping is the library's choice, and points are eliminated. Then a run far from the minimum
-  /// may leave some points behind cameras or at infinity.
-  bool may_damp_otherwise() {
+  /// Whether the algorithm and its damping are the library's choice.
+  bool is_automatic() {
     const Options& options = descent_.options();
-    return plan().eliminated_blocks > 0 && options.algorithm == AlgorithmKind::kAutomatic &&
-           options.damping == Options::DampingScale::kDiagonal && options.initial_lambda == 0;
+    return options.algorithm == AlgorithmKind::kAutomatic &&
+           options.damping == Options::DampingScale::kDiagonal && options.initial_lambda == 0 &&
+           options.initial_radius == 0;
+  }
+
+  /// The result, or a better one of a run from the original estimates if unknowns have lost their influence.
+  RunResult confirmed(const RunResult& result) {
+    const bool may_be_far =
+        is_automatic() && plan().eliminated_blocks == 0 && !ran_carefully_ && descent_.has_lost_influence();
+    return may_be_far && !is_interruption(result.reason) && descent_.may_go_on() ? run_carefully(result)
+                                                                                 : result;
   }
 
   /// Runs from the current estimates, which are the original ones or better ones. If a few edges are then
   /// stuck, also runs from the original estimates with D = I: this lets points near cameras move freely, but
   /// far points hardly move. Then continues from the better result.
   RunResult run_current(double chi2) {
-    if (!may_damp_otherwise()) return descent_.run(chi2);
+    // Points are eliminated: a run far from the minimum may leave some of them behind cameras or at infinity.
+    if (!is_automatic() || plan().eliminated_blocks == 0) return descent_.run(chi2);
     Crawl crawl;
     bool gave_up = false;
     const RunResult result = descent_.run_while(
@@ -110,10 +120,21 @@ class StartSearch {
         chi2);
     if (is_interruption(result.reason) && !gave_up) return result;
     if (!descent_.may_go_on() || !is_stuck(result.chi2)) return result;
+    return run_carefully(result);
+  }
+
+  /// Runs again from the original estimates, by Levenberg-Marquardt with D = I. Then continues from the
+  /// better result.
+  RunResult run_carefully(const RunResult& result) {
+    ran_carefully_ = true;
     StartingPoint again{Start::kCurrent, {}, chi2_original_, {}};
     std::swap(again.estimates, original_);
+    LevenbergMarquardt careful;
+    Algorithm& usual = descent_.algorithm();
+    descent_.use(careful);
     descent_.damp_by(Options::DampingScale::kIdentity);
     const RunResult best = run_from_other(result, std::move(again), descent_.iterations_left());
+    descent_.use(usual);
     descent_.damp_by(Options::DampingScale::kDiagonal);
     return is_interruption(best.reason) || !descent_.may_go_on() ? best : descent_.run(best.chi2);
   }
@@ -289,7 +310,8 @@ class StartSearch {
   Descent& descent_;
   Report::StartReport& report_;
   double& guess_seconds_;
-  Estimates original_;          // if may_damp_otherwise()
+  Estimates original_;  // if is_automatic()
+  bool ran_carefully_ = false;
   Estimates& fallback_;         // the original estimates, or the result of try_current()
   const double chi2_original_;  // the chi2 of the original estimates
 };
