@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,14 @@ class TypedVertexPool final : public VertexPool {
   }
 
   double* entry(std::uint32_t slot, int i) override { return boxplus::detail::entry(values_[slot], i); }
+
+  std::string implausible(std::uint32_t slot) const override {
+    if constexpr (requires(const T& x) { std::string(x.implausible()); }) {
+      return std::string(values_[slot].implausible());
+    } else {
+      return VertexPool::implausible(slot);
+    }
+  }
 
  private:
   struct Saved final : SavedEstimates {
