@@ -84,6 +84,7 @@ class OutlierReport:
     report: Report
     verdicts: list[EdgeVerdict]
     noise_scale: float
+    time_s: float
     note: str
     def count(self, verdict: Verdict | str) -> int: ...
     def edges(self, verdict: Verdict | str) -> list[EdgeRef]: ...
