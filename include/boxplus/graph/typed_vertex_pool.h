@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxplus/graph/implausible.h"
 #include "boxplus/graph/manifold_frames.h"
 #include "boxplus/graph/type_name.h"
 #include "boxplus/graph/vertex_pool.h"
@@ -93,13 +94,7 @@ class TypedVertexPool final : public VertexPool {
 
   double* entry(std::uint32_t slot, int i) override { return boxplus::detail::entry(values_[slot], i); }
 
-  std::string implausible(std::uint32_t slot) const override {
-    if constexpr (requires(const T& x) { std::string(x.implausible()); }) {
-      return std::string(values_[slot].implausible());
-    } else {
-      return VertexPool::implausible(slot);
-    }
-  }
+  std::string implausible(std::uint32_t slot) const override { return why_implausible(values_[slot]); }
 
  private:
   struct Saved final : SavedEstimates {

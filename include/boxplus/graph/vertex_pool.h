@@ -93,7 +93,7 @@ class VertexPool {
   /// The number in the estimate to which ⊞ adds the i-th entry of δ, or nullptr if there is none.
   virtual double* entry(std::uint32_t slot, int i) = 0;
   /// Says why the estimate in `slot` cannot be right, wherever the other vertices are. Empty if it can.
-  virtual std::string implausible(std::uint32_t /*slot*/) const { return {}; }
+  virtual std::string implausible(std::uint32_t slot) const = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }

@@ -28,6 +28,13 @@ TEST(DiagnoseImplausible, NamesCamerasWithoutFocalLengthOrWithAbsurdDistortion) 
   EXPECT_THAT(finding.text, HasSubstr("f is 0, but focal lengths are positive (that of 6)"));
 }
 
+TEST(DiagnoseImplausible, NamesTheIntrinsicsOfAPoseWithACamera) {
+  Graph graph;
+  graph.add_vertex(Product(SE3(), BalCamera(-500.0, 0.0, 0.0)), 3);
+  EXPECT_THAT(only(diagnose(graph), Kind::kImplausibleEstimate).text,
+              HasSubstr("pose 3 cannot be right: f is -500, but focal lengths are positive"));
+}
+
 /// A type of a user with a member implausible().
 struct Temperature {
   static constexpr std::string_view kName = "Temperature";
