@@ -302,7 +302,7 @@ StepResult BatchSystem::solve_without_gauge(const StepDamping& damping, std::spa
                     .held_are_free = [&] { return held_are_free(damping, step); }});
   if (result.status != LinearStatus::kOk) return result;
   gauge_.for_each_held(damping.lambda, [&](std::uint32_t i) { step[i] = 0; });
-  if (!has_factor_ || !stores_all_columns()) return result;
+  if (!has_factor_ || plan_->eliminated_blocks > 0) return result;
   const ScopedTimer adder(timings_->solve_s);
   const auto apply_inverse = [&](const double* b, double* x) {
     return solver_.solve(b, 1, x, control_).status == LinearStatus::kOk;

@@ -69,11 +69,12 @@ bool has_robust_kernels(const Graph& graph, const Plan& plan) {
 
 class StartSearch {
  public:
-  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, Estimates& fallback)
+  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, StartMemory& memory)
       : descent_(descent),
         report_(report),
         guess_seconds_(guess_seconds),
-        fallback_(fallback),
+        original_(memory.original),
+        fallback_(memory.fallback),
         chi2_original_(report.chi2_current) {}
 
   RunResult run() {
@@ -310,16 +311,16 @@ class StartSearch {
   Descent& descent_;
   Report::StartReport& report_;
   double& guess_seconds_;
-  Estimates original_;  // if is_automatic()
-  bool ran_carefully_ = false;
+  Estimates& original_;         // if is_automatic()
   Estimates& fallback_;         // the original estimates, or the result of try_current()
+  bool ran_carefully_ = false;
   const double chi2_original_;  // the chi2 of the original estimates
 };
 
 }  // namespace
 
 RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
-                               Estimates& memory) {
+                               StartMemory& memory) {
   return StartSearch(descent, report, guess_seconds, memory).run();
 }
 

@@ -11,11 +11,15 @@
 
 namespace boxplus {
 
+/// Scratch memory of minimize_from_starts(), which later calls can reuse.
+struct StartMemory {
+  Estimates original, fallback;
+};
+
 /// Minimizes from the start that Options::start selects: the current estimates, an initial guess, or the
 /// better of both. Fills `report`, but the caller must have set report.chi2_current to the chi2 of the
-/// current estimates. Adds the time of guesses to `guess_seconds`. `memory` is scratch memory for estimates,
-/// which later calls can reuse.
+/// current estimates. Adds the time of guesses to `guess_seconds`.
 RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
-                               Estimates& memory);
+                               StartMemory& memory);
 
 }  // namespace boxplus

@@ -100,7 +100,7 @@ TEST_P(SolverCalls, ObeyTheContractWithoutElimination) {
   const auto solver = std::make_shared<WatchedSolver>();
   BatchSystem watched = make_system(graph_, columns(), threads(), solver);
   make_steps(watched);
-  EXPECT_EQ(solver->solutions, 10);
+  EXPECT_GE(solver->solutions, 10);  // and more, to shorten undamped steps along free motions
   EXPECT_EQ(solver->announcements, 10);
 }
 
