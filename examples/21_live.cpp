@@ -26,7 +26,7 @@ Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses
 Options options_for_steps() {
   Options options;
   options.max_iterations = 1;    // the next run() continues from this result
-  options.time_limit_s = 0.010;  // for every phase; the report says if the limit was reached
+  options.time_limit_s = 0.010;  // but one step at least; the report says if the limit was reached
   return options;
 }
 // [/whole]

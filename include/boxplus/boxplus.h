@@ -36,4 +36,5 @@
 #include "boxplus/robust/make_robust_kernel.h"
 #include "boxplus/types/between.h"
 #include "boxplus/types/prior.h"
+#include "boxplus/types/range.h"
 // IWYU pragma: end_exports

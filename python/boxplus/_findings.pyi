@@ -14,6 +14,7 @@ class Finding:
         kNonFiniteEstimate: Finding.Kind
         kNonFiniteError: Finding.Kind
         kNonFiniteJacobian: Finding.Kind
+        kImplausibleEstimate: Finding.Kind
         kNothingMoves: Finding.Kind
         kWrongJacobian: Finding.Kind
         kIsolatedVertex: Finding.Kind
@@ -27,6 +28,7 @@ class Finding:
         kMixedUnits: Finding.Kind
         kDuplicateEdge: Finding.Kind
         kOutlier: Finding.Kind
+        kDominantVertex: Finding.Kind
         kFixedEdge: Finding.Kind
         kNotAtMinimum: Finding.Kind
         kChi2Ratio: Finding.Kind
@@ -82,6 +84,7 @@ class OutlierReport:
     report: Report
     verdicts: list[EdgeVerdict]
     noise_scale: float
+    time_s: float
     note: str
     def count(self, verdict: Verdict | str) -> int: ...
     def edges(self, verdict: Verdict | str) -> list[EdgeRef]: ...

@@ -25,7 +25,7 @@ constexpr std::tuple kVerdict{Member{"edge", &EdgeVerdict::edge},
 constexpr std::tuple kOutlierReport{
     Member{"suspects", &OutlierReport::suspects}, Member{"report", &OutlierReport::report},
     Member{"verdicts", &OutlierReport::verdicts}, Member{"noise_scale", &OutlierReport::noise_scale},
-    Member{"note", &OutlierReport::note}};
+    Member{"time_s", &OutlierReport::time_s},     Member{"note", &OutlierReport::note}};
 
 OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, py::handle false_alarm,
                    py::handle evidence, py::handle window, const py::kwargs& changes) {

@@ -145,6 +145,7 @@ struct Enumerators<Finding::Kind> {
   static constexpr Enumerator<Finding::Kind> kAll[] = {{"kNonFiniteEstimate", kNonFiniteEstimate},
                                                        {"kNonFiniteError", kNonFiniteError},
                                                        {"kNonFiniteJacobian", kNonFiniteJacobian},
+                                                       {"kImplausibleEstimate", kImplausibleEstimate},
                                                        {"kNothingMoves", kNothingMoves},
                                                        {"kWrongJacobian", kWrongJacobian},
                                                        {"kIsolatedVertex", kIsolatedVertex},
@@ -158,6 +159,7 @@ struct Enumerators<Finding::Kind> {
                                                        {"kMixedUnits", kMixedUnits},
                                                        {"kDuplicateEdge", kDuplicateEdge},
                                                        {"kOutlier", kOutlier},
+                                                       {"kDominantVertex", kDominantVertex},
                                                        {"kFixedEdge", kFixedEdge},
                                                        {"kNotAtMinimum", kNotAtMinimum},
                                                        {"kChi2Ratio", kChi2Ratio}};

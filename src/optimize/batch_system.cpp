@@ -76,18 +76,24 @@ bool BatchSystem::extend(const PlanRequest& request, const PlannedElements& plan
 
 void BatchSystem::configure(const Options& options, Report::Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
-  control_ = {.relative_tolerance = forcing_term(options, *plan_), .stop = stop};
+  control_ = {.relative_tolerance = forcing_term(options, *plan_)};
   order_.forget();
   last_chi2_ = 0;
   is_precise_ = false;
-  precise_.configure(linearize_options_, stop);
+  precise_.configure(linearize_options_);
   expected_.reset();
-  linearizer_.set_stop(stop);
+  set_stop(stop);
   timings_ = &timings;
   diagonal_.begin_run();
   move_within_bounds(*graph_, options.vertices);
   bounds_.read(*graph_, *plan_);
   gauge_.begin_run(!bounds_.empty());
+}
+
+void BatchSystem::set_stop(const StopToken& stop) {
+  control_.stop = stop;
+  precise_.set_stop(stop);
+  linearizer_.set_stop(stop);
 }
 
 double BatchSystem::chi2() {

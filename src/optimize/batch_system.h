@@ -37,6 +37,8 @@ class BatchSystem final : public System {
   /// Sets the options that may differ from run to run, and reads the bounds. From now on, times are added to
   /// `timings`, and linear solvers stop when `stop` is raised.
   void configure(const Options& options, Report::Timings& timings, const StopToken& stop = {});
+  /// Replaces the token of configure().
+  void set_stop(const StopToken& stop);
 
   double chi2() override;
   void expect(const StepDamping& damping) override { expected_ = damping; }

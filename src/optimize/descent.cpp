@@ -77,7 +77,7 @@ std::optional<Report::Reason> convergence(const Options& options, const Iteratio
 }  // namespace
 
 Descent::Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options,
-                 const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records)
+                 RunStop& stop, const Stopwatch& clock, std::vector<IterationRecord>& records)
     : graph_(graph),
       system_(system),
       algorithm_(&algorithm),
@@ -180,7 +180,7 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
   const int most = iterations_left();
   Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());
   for (int iteration = 0;; ++iteration) {
-    if (stop_.raised()) return {Report::Status::kNotConverged, reason_of(stop_), chi2, iteration};
+    if (stop().raised()) return {Report::Status::kNotConverged, reason_of(stop()), chi2, iteration};
     if (iteration >= most)
       return {Report::Status::kNotConverged, Report::Reason::kMaxIterations, chi2, iteration};
     IterationRecord record;
@@ -193,7 +193,9 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     const std::size_t unknowns = system_.gradient().size();
     if (outcome == IterationOutcome::kNoStepFound && chi2 <= kExact * static_cast<double>(unknowns))
       return {Report::Status::kConverged, Report::Reason::kNoFurtherDecrease, chi2, iteration};
-    if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
+    if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop(), chi2, iteration);
+    stop_.apply_limit();
+    system_.set_stop(stop());
     system_.describe_step(chi2, record);
     record.time_s = clock_.seconds();
     records_.push_back(record);

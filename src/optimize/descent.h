@@ -8,6 +8,7 @@
 #include "boxplus/optimize/algorithm.h"
 #include "boxplus/optimize/report.h"
 #include "optimize/batch_system.h"
+#include "optimize/run_stop.h"
 #include "optimize/stopwatch.h"
 
 namespace boxplus {
@@ -34,8 +35,8 @@ inline Report::Reason reason_of(const StopToken& stop) {
 class Descent {
  public:
   /// All arguments must outlive the descent. Runs append to `records`.
-  Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options,
-          const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records);
+  Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options, RunStop& stop,
+          const Stopwatch& clock, std::vector<IterationRecord>& records);
 
   /// The following runs use this algorithm.
   void use(Algorithm& algorithm) { algorithm_ = &algorithm; }
@@ -48,7 +49,9 @@ class Descent {
   Graph& graph() { return graph_; }
   BatchSystem& system() { return system_; }
   const Options& options() const { return options_; }
-  const StopToken& stop() const { return stop_; }
+  const StopToken& stop() const { return stop_.now(); }
+  /// The token with the time limit, which applies to runs only after their first step.
+  const StopToken& limit() const { return stop_.limit(); }
   std::vector<IterationRecord>& records() { return records_; }
 
   /// Removes the records, and returns them. Their iterations no longer count against the limit.
@@ -68,7 +71,7 @@ class Descent {
   RunResult run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
 
   /// Whether iterations are left and nothing has stopped the runs.
-  bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
+  bool may_go_on() const { return iterations_left() > 0 && !stop().raised(); }
   int iterations_left() const { return options_.max_iterations - left_out_ - iterations_ + uncounted_; }
   /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
@@ -99,7 +102,7 @@ class Descent {
   Algorithm* algorithm_;
   const Options& options_;
   std::optional<Options> changed_;  // the options of the algorithm, after damp_by()
-  const StopToken& stop_;
+  RunStop& stop_;
   const Stopwatch& clock_;
   std::vector<IterationRecord>& records_;
   double degrees_of_freedom_ = 0;

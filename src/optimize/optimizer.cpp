@@ -97,11 +97,10 @@ struct Optimizer::Impl {
   void run_without_outliers(Report& report);
   /// Runs `custom` or, if it is null, the algorithm that the options name.
   void run(Algorithm* custom, Report& report);
-  RunResult plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
-                              const Stopwatch& clock);
-  RunResult minimize_with(Constraints& constraints, Algorithm& algorithm, Report& report,
-                          const StopToken& stop, const Stopwatch& clock);
-  RunResult minimize(Algorithm& algorithm, const Options& of_run, Report& report, const StopToken& stop,
+  RunResult plan_and_minimize(Algorithm* custom, Report& report, RunStop& stop, const Stopwatch& clock);
+  RunResult minimize_with(Constraints& constraints, Algorithm& algorithm, Report& report, RunStop& stop,
+                          const Stopwatch& clock);
+  RunResult minimize(Algorithm& algorithm, const Options& of_run, Report& report, RunStop& stop,
                      const Stopwatch& clock);
   Algorithm& chosen_algorithm();
   Covariance covariance(std::span<const VertexRef> vertices, bool joint);
@@ -156,7 +155,7 @@ void Optimizer::Impl::run(Algorithm* custom, Report& report) {
   }
   const InUse in_use(life);
   begin_report(report, options);
-  const StopToken stop(options.stop, clock.start(), options.time_limit_s);
+  RunStop stop(options, clock.start());
   try {
     const RunResult result = plan_and_minimize(custom, report, stop, clock);
     finish_report(report, *graph, planned.system(), result);
@@ -179,16 +178,16 @@ void Optimizer::Impl::run(Algorithm* custom, Report& report) {
   report.time.total_s = clock.seconds();
 }
 
-RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
+RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, RunStop& stop,
                                              const Stopwatch& clock) {
   {
     const ScopedTimer adder(report.time.plan_s);
     if (!planned.is_current(*graph, options)) covariances.forget();
-    const PlannedSystem::Origin origin = planned.update(*graph, options, stop);
+    const PlannedSystem::Origin origin = planned.update(*graph, options, stop.now());
     report.plan_reused = origin == PlannedSystem::Origin::kReused;
     report.plan_extended = origin == PlannedSystem::Origin::kExtended;
   }
-  planned.system().configure(options, report.time, stop);
+  planned.system().configure(options, report.time, stop.now());
   Algorithm& algorithm = custom != nullptr ? *custom : chosen_algorithm();
   report.algorithm = algorithm.name();
   describe_problem(report, *graph, planned.system(), options);
@@ -200,7 +199,7 @@ RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, 
 
 /// Runs until the constraints hold. Each run starts at the result of the previous one.
 RunResult Optimizer::Impl::minimize_with(Constraints& constraints, Algorithm& algorithm, Report& report,
-                                         const StopToken& stop, const Stopwatch& clock) {
+                                         RunStop& stop, const Stopwatch& clock) {
   Options of_round = options;
   constraints.begin(report.chi2_initial);
   for (;;) {
@@ -220,10 +219,10 @@ RunResult Optimizer::Impl::minimize_with(Constraints& constraints, Algorithm& al
 
 /// The chi2 at the current estimates must be report.start.chi2_current.
 RunResult Optimizer::Impl::minimize(Algorithm& algorithm, const Options& of_run, Report& report,
-                                    const StopToken& stop, const Stopwatch& clock) {
+                                    RunStop& stop, const Stopwatch& clock) {
   BatchSystem& system = planned.system();
   const double chi2 = report.start.chi2_current;
-  if (system.stopped()) return {Report::Status::kNotConverged, reason_of(stop), chi2, 0};
+  if (system.stopped()) return {Report::Status::kNotConverged, reason_of(stop.now()), chi2, 0};
   if (system.plan().scalars() == 0)
     return {Report::Status::kConverged, Report::Reason::kNothingToOptimize, chi2, 0};
   if (options.gauge == GaugePolicy::kError && system.is_free())

@@ -9,9 +9,8 @@
 
 namespace boxplus {
 
-void PreciseSolver::configure(const LinearizeOptions& options, const StopToken& stop) {
+void PreciseSolver::configure(const LinearizeOptions& options) {
   options_ = options;
-  stop_ = stop;
   steps_ = 0;
 }
 

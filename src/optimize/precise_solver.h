@@ -17,7 +17,8 @@ class PreciseSolver {
   PreciseSolver(const Graph& graph, const Plan& plan) : graph_(&graph), plan_(&plan) {}
 
   /// Begins a run.
-  void configure(const LinearizeOptions& options, const StopToken& stop);
+  void configure(const LinearizeOptions& options);
+  void set_stop(const StopToken& stop) { stop_ = stop; }
   /// Call it when the estimates change.
   void forget();
   /// Call it when the plan changes. Implies forget().

@@ -285,7 +285,7 @@ class StartSearch {
   }
 
   bool try_guess(Start start) {
-    if (descent_.stop().raised()) return false;
+    if (descent_.limit().raised()) return false;
     if (!plan().fixed_scalars.empty()) {
       report_.note = "no guess was made, because it would change fixed directions of vertices";
       return false;
@@ -296,7 +296,7 @@ class StartSearch {
     }
     {
       const ScopedTimer adder(guess_seconds_);
-      const GuessLimits limits{descent_.stop(), descent_.options().max_factor_bytes,
+      const GuessLimits limits{descent_.limit(), descent_.options().max_factor_bytes,
                                resolved_threads(descent_.options()), descent_.system().elimination_order()};
       const GuessResult guess = guess_by(start, graph(), plan(), limits);
       report_.note = guess.note;

@@ -59,6 +59,8 @@ class CommandTest(CommandCase):
                 ([], "expected a command, got none"),
                 (["dance"], "unknown command 'dance'"),
                 (["optimise"], "did you mean optimize?"),
+                (["diagnose", "f"], "unknown command 'diagnose'; did you mean boxplus info --diagnose? (see boxplus --help)"),
+                (["certify", "f"], "did you mean boxplus optimize --certify?"),
                 (["optimize"], "expected FILE, got none"),
                 (["optimize", "f", "g"], "unexpected argument 'g'"),
                 (["optimize", "--", "f", "-q"], "unexpected argument '-q'"),

@@ -25,6 +25,9 @@ class OutliersTest(CommandCase):
         report = json.loads(found.read_text(encoding="utf-8"))
         self.assertEqual(report["status"], "converged")
         outliers = report["outliers"]
+        time = report["time_s"]
+        self.assertGreater(time["outliers"], time["optimize"])
+        self.assertIn(f"The search and this run took {time['outliers']:.4f} s.", done.stdout)
         self.assertEqual((outliers["inliers"], outliers["outliers"], outliers["undecided"]),
                          (144 - self.wrong, self.wrong, 0))
         self.assertEqual(len(outliers["closures"]), 144)

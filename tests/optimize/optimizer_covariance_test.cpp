@@ -248,6 +248,16 @@ TEST(OptimizerCovariance, NoticesChangesOfWhatAnErrorFunctionRefersTo) {
   EXPECT_DOUBLE_EQ(optimizer.covariance(b, b)(0, 0), 1.0 / 16);
 }
 
+TEST(OptimizerCovariance, TakesAListOfVerticesInBraces) {
+  Graph graph;
+  const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
+  graph.add_edge(Prior(1.0), 4.0, a);
+  graph.add_edge(Between(1.0), 4.0, a, b);
+  const Optimizer optimizer(graph);
+  EXPECT_NEAR(optimizer.covariance({a}).of(a, a)(0, 0), 0.25, 1e-12);
+  EXPECT_NEAR(optimizer.covariance({a, b}).of(b, b)(0, 0), 0.5, 1e-12);
+}
+
 /// The errors vanish before and after the change, and all values of the errors are the same.
 TEST(OptimizerCovariance, NoticesAnEstimateThatChangesNoError) {
   Graph graph;

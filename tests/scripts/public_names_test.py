@@ -35,7 +35,7 @@ class PublicNames(unittest.TestCase):
 
     def test_the_names_in_boxplus_h_include_the_graph_and_the_optimizer(self):
         found = {line.split()[0] for line in run().stdout.splitlines()}
-        self.assertLessEqual({"Graph", "Optimizer", "SE3", "optimize", "read_graph", "kPi"}, found)
+        self.assertLessEqual({"Graph", "Optimizer", "SE3", "Range", "optimize", "read_graph", "kPi"}, found)
 
     def test_types_aliases_concepts_functions_and_constants_are_listed(self):
         self.assertEqual(names("""

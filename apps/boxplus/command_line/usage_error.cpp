@@ -39,6 +39,19 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return close ? fmt::format("; did you mean {}?", *best) : std::string();
 }
 
+/// Returns "; did you mean boxplus info --diagnose?" if a command has the option --`word`. Otherwise, returns
+/// an empty string.
+std::string option_suggestion(const std::string& word, const std::vector<CommandDescription>& commands) {
+  for (const CommandDescription& command : commands) {
+    for (const OptionDescription& option : command.options) {
+      const std::string name = "--" + word;
+      if (std::find(option.names.begin(), option.names.end(), name) != option.names.end())
+        return fmt::format("; did you mean boxplus {} {}?", command.name, name);
+    }
+  }
+  return {};
+}
+
 std::string unexpected(const CommandDescription& command, const std::vector<std::string>& words) {
   const bool options_ended = words.size() > 1 && words.front() == "--";
   const std::string& word = options_ended ? words[1] : words.front();
@@ -51,7 +64,9 @@ std::string unexpected(const CommandDescription& command, const std::vector<std:
   }
   if (command.commands.empty()) return fmt::format("unexpected argument '{}'", word);
   for (const CommandDescription& sub : command.commands) names.push_back(sub.name);
-  return fmt::format("unknown command '{}'{}", word, suggestion(word, names));
+  const std::string similar = suggestion(word, names);
+  return fmt::format("unknown command '{}'{}", word,
+                     similar.empty() ? option_suggestion(word, command.commands) : similar);
 }
 
 /// Rephrases the message "NAME is required" of CLI11.

@@ -21,6 +21,7 @@ std::string outliers_text(const OutlierReport& found) {
   std::string text = verdicts_text(found);
   text += found.suspects == Suspects::kAll ? "; the report is about the edges that fit.\n"
                                            : "; the report is about the others and all other edges.\n";
+  text += fmt::format("The search and this run took {:.4f} s.\n", found.time_s);
   if (!found.note.empty()) text += fmt::format("Note: {}.\n", found.note);
   return text;
 }

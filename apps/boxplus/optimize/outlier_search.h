@@ -12,8 +12,8 @@ namespace boxplus::app {
 /// Returns a text such as "12 of 50 loop closures are false, and 3 are undecided".
 std::string verdicts_text(const OutlierReport& found);
 
-/// Returns verdicts_text() as a sentence that says what the report of the run is about, with the note of the
-/// search.
+/// Returns verdicts_text() as a sentence that says what the report of the run is about, with the time and the
+/// note of the search.
 std::string outliers_text(const OutlierReport& found);
 
 /// Returns a list of the suspects that are no inliers: one line "VERDICT FROM TO CHI2" each, after a line

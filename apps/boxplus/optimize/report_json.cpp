@@ -114,9 +114,16 @@ Json jacobians_json(const std::vector<Report::EdgeJacobians>& jacobians) {
 }
 
 Json time_json(const Report::Timings& time, const RunFacts& facts) {
-  return {{"load", facts.load_s},     {"plan", time.plan_s},           {"start", time.start_s},
-          {"optimize", time.total_s}, {"linearize", time.linearize_s}, {"factorize", time.factorize_s},
-          {"solve", time.solve_s},    {"evaluate", time.evaluate_s},   {"total", facts.total_s}};
+  return {{"load", facts.load_s},
+          {"plan", time.plan_s},
+          {"start", time.start_s},
+          {"optimize", time.total_s},
+          {"linearize", time.linearize_s},
+          {"factorize", time.factorize_s},
+          {"solve", time.solve_s},
+          {"evaluate", time.evaluate_s},
+          {"total", facts.total_s},
+          {"outliers", facts.outliers ? Json(facts.outliers->time_s) : Json(nullptr)}};
 }
 
 Json findings_json(const std::vector<Finding>& findings) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "boxplus/graph/implausible.h"
 #include "boxplus/graph/manifold_frames.h"
 #include "boxplus/graph/type_name.h"
 #include "boxplus/graph/vertex_pool.h"
@@ -91,6 +93,8 @@ class TypedVertexPool final : public VertexPool {
   }
 
   double* entry(std::uint32_t slot, int i) override { return boxplus::detail::entry(values_[slot], i); }
+
+  std::string implausible(std::uint32_t slot) const override { return why_implausible(values_[slot]); }
 
  private:
   struct Saved final : SavedEstimates {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -91,6 +92,8 @@ class VertexPool {
   virtual void tangent_to_frame(std::uint32_t slot, const Frame& frame, double* delta) const = 0;
   /// The number in the estimate to which ⊞ adds the i-th entry of δ, or nullptr if there is none.
   virtual double* entry(std::uint32_t slot, int i) = 0;
+  /// Says why the estimate in `slot` cannot be right, wherever the other vertices are. Empty if it can.
+  virtual std::string implausible(std::uint32_t slot) const = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }

@@ -29,7 +29,7 @@ struct GraphFileView {
   /// The edges in the order of the file. New edges may be missing, and removed edges may be listed.
   std::span<const EdgeRef> edges = {};
   std::span<const GraphFile::KeptLine> kept = {};
-  const SparseModel* model = nullptr;  ///< of GraphFile::model
+  const detail::SparseModel* model = nullptr;  ///< of GraphFile::model
 };
 
 /// The functions of a format whose graphs are folders of several files.

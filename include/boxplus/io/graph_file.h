@@ -22,7 +22,9 @@ namespace boxplus {
 
 class FileFormats;
 class Registry;
+namespace detail {
 struct SparseModel;
+}
 
 struct ReadOptions {
   /// What to do with an edge whose Ω has a negative eigenvalue.
@@ -75,7 +77,7 @@ struct GraphFile {
   std::vector<KeptLine> kept = {};
   /// The model as it was read from COLMAP's files (io/sparse_model.h): names, colors and all that the graph
   /// does not contain. nullptr for other formats.
-  std::shared_ptr<const SparseModel> model = {};
+  std::shared_ptr<const detail::SparseModel> model = {};
   std::vector<Note> notes = {};  ///< unusual things that are not errors
   std::string format = {};       ///< the name of the file's format (FileFormat); read_graph() sets it
   std::int64_t lines = 0;        ///< number of lines of the file

@@ -16,6 +16,8 @@ namespace boxplus {
 
 struct GraphFile;
 
+namespace detail {
+
 /// Cameras, images with their 2-D points, and 3-D points with their tracks, in the order of the files. Each
 /// kind has its own ids. Pixels are in COLMAP's coordinates: the upper left corner of the image is (0, 0).
 ///
@@ -102,6 +104,10 @@ struct SparseModel {
   /// The smallest power of ten that is larger than all ids of cameras.
   Id first_sensor_parameter() const;
 };
+
+}  // namespace detail
+
+using detail::SparseModel;
 
 /// The model that describes a graph of bundle adjustment. Everything that the graph does not contain is as in
 /// file.model. Poses, parameters and points that have not changed since they were read have the same bits as

@@ -19,6 +19,7 @@ struct Finding {
     kNonFiniteEstimate,  ///< an estimate is NaN or infinite
     kNonFiniteError,     ///< an error, or its chi2, is NaN or infinite
     kNonFiniteJacobian,
+    kImplausibleEstimate,    ///< an estimate that cannot be right, such as a negative focal length
     kNothingMoves,           ///< there are edges, but no vertex of an edge may move
     kWrongJacobian,          ///< the member jacobians() of an edge type differs from the numeric derivative
     kIsolatedVertex,         ///< a vertex without edges
@@ -32,6 +33,7 @@ struct Finding {
     kMixedUnits,             ///< an Ω has another scale than the others of its type
     kDuplicateEdge,          ///< the same measurement twice
     kOutlier,                ///< an edge whose chi2 noise does not explain
+    kDominantVertex,         ///< the edges of one vertex have most of chi2
     kFixedEdge,              ///< an edge whose vertices are all fixed
     kNotAtMinimum,           ///< single vertices can lower chi2 noticeably
     kChi2Ratio,              ///< chi2 is far from the degrees of freedom

@@ -2,6 +2,7 @@
 // An optimizer of one graph. It keeps its plan, its memory and its algorithms between runs.
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <span>
 
@@ -64,6 +65,9 @@ class Optimizer {
   /// of points, and no kernels, each query compares estimates, measurements and weights with those of the
   /// factor. Otherwise, it linearizes all edges and compares H.
   [[nodiscard]] Covariance covariance(std::span<const VertexRef> vertices) const;
+  [[nodiscard]] Covariance covariance(std::initializer_list<VertexRef> vertices) const {
+    return covariance(std::span(vertices.begin(), vertices.size()));
+  }
   /// Likewise boxplus::marginal_covariances(). For all vertices, the first query after a change takes about
   /// as long as four factorizations. The inverse is kept with the factor.
   [[nodiscard]] Covariance marginal_covariances(std::span<const VertexRef> vertices) const;

@@ -97,12 +97,12 @@ struct Options {
   /// that comes from far away does not make the steps of others negligible.
   double step_tolerance = 1e-12;
   double gradient_tolerance = 0;  ///< stops when no entry of the gradient exceeds this
-  /// Stops when this much time has passed. The time limit and the flag `stop` apply in every phase of a run:
-  /// planning, initial guess, linearization, linear solver. In 99 of 100 runs with the edges of this library
-  /// and up to 100,000 poses, a run exceeds the limit by at most 1 ms or a tenth of the limit. After `stop`
-  /// is set, the AMD ordering may first run to its end (up to 110 ms for 100,000 poses). AMD does not begin
-  /// if an upper estimate of its time (300 ns per vertex and 250 ns per pair of joined vertices) exceeds what
-  /// is left of the limit. So a run that is stopped while planning may end this much before the limit.
+  /// Stops when this much time has passed, but not before the first step is accepted, so that runs with a
+  /// short limit make progress. If the limit is 0 or negative, nothing is done. After the first step, the
+  /// limit applies in every phase, and to initial guesses always: in 99 of 100 runs with the edges of this
+  /// library and up to 100,000 poses, a run exceeds it by at most 1 ms or a tenth of it. `stop` applies in
+  /// every phase from the beginning: planning, initial guess, linearization, linear solver. After `stop` is
+  /// set, the AMD ordering may first run to its end (up to 110 ms for 100,000 poses).
   double time_limit_s = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop = nullptr;  ///< stops when this flag becomes true; may be null
   /// Called after every iteration, including the last one. If it returns false, the run stops. If it changes

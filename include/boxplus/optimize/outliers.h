@@ -43,6 +43,7 @@ struct [[nodiscard]] OutlierReport {
   std::vector<EdgeVerdict> verdicts;  ///< one for each suspect, in the order of Graph::all_edges()
   /// The factor of the noise variances that explains the accepted suspects. If it is 1, all Ω fit the errors.
   double noise_scale = 1;
+  double time_s = 0;  ///< of the search and the final run; report.time is of the final run only
   /// One sentence about a limitation of the result, or empty.
   std::string note;
 

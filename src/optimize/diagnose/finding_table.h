@@ -26,6 +26,8 @@ std::span<const FindingEntry> finding_table();
 void find_non_finite_estimates(const Evidence& evidence, Findings& out);
 void find_non_finite_errors(const Evidence& evidence, Findings& out);
 void find_non_finite_jacobians(const Evidence& evidence, Findings& out);
+// implausible.cpp
+void find_implausible_estimates(const Evidence& evidence, Findings& out);
 // structure.cpp
 void find_nothing_moves(const Evidence& evidence, Findings& out);
 void find_isolated_vertices(const Evidence& evidence, Findings& out);
@@ -45,6 +47,8 @@ void find_zero_information(const Evidence& evidence, Findings& out);
 void find_mixed_units(const Evidence& evidence, Findings& out);
 // wrong_jacobian.cpp
 void find_wrong_jacobians(const Evidence& evidence, Findings& out);
+// dominant.cpp
+void find_dominant_vertex(const Evidence& evidence, Findings& out);
 // minimum.cpp
 void find_outliers(const Evidence& evidence, Findings& out);
 void find_not_at_minimum(const Evidence& evidence, Findings& out);

@@ -17,6 +17,7 @@
 #include "optimize/outliers/doubts.h"
 #include "optimize/outliers/false_odometry.h"
 #include "optimize/outliers/snapshot.h"
+#include "optimize/stopwatch.h"
 
 namespace boxplus {
 namespace {
@@ -266,7 +267,11 @@ OutlierReport find_outliers(Graph& graph, const OutlierOptions& given) {
   check(given);
   OutlierOptions options = given;
   options.options.outliers.reset();
-  return options.suspects == Suspects::kAll ? judge_all(graph, options) : judge_closures(graph, options);
+  const Stopwatch clock;
+  OutlierReport result =
+      options.suspects == Suspects::kAll ? judge_all(graph, options) : judge_closures(graph, options);
+  result.time_s = clock.seconds();
+  return result;
 }
 
 }  // namespace boxplus

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "boxplus/base/matrix.h"
@@ -11,6 +13,13 @@
 #include "boxplus/types/ba/lens.h"
 
 namespace boxplus {
+
+namespace detail {
+/// BasicCamera::implausible(). The first parameters are the focal lengths. The coefficients k, k1, k2, … are
+/// those of the 2nd, 4th, … power of the radius, and p1, p2 are as large as k1.
+std::string implausible_intrinsics(const double* parameters, std::span<const std::string_view> names,
+                                   int focal_lengths);
+}  // namespace detail
 
 /// A camera of the given model (types/ba/camera_models.h lists them). A point is given in the frame of the
 /// camera, where x points right, y points down and z points forward; BAL's camera looks along −z, and its y
@@ -106,6 +115,12 @@ struct BasicCamera {
       pixel[i] = f[i] * image[i];
       if constexpr (Model::kHasCenter) pixel[i] = pixel[i] + k[Model::kFocalLengths + i];
     }
+  }
+
+  /// Says which parameter no camera has: "fx is -500, but focal lengths are positive". Otherwise, an empty
+  /// text. This is a finding of diagnose().
+  std::string implausible() const {
+    return detail::implausible_intrinsics(parameters.data(), Model::kParameters, Model::kFocalLengths);
   }
 
  private:
