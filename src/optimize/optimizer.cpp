@@ -231,7 +231,8 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, const Options& of_run,
   const bool may_be_stiff = information_is_stiff(*graph, system.plan());
   if (may_be_stiff) descent.leave(iterations_to_finish(options));
   RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
-  if (may_be_stiff || system.precise_steps() > 0) result = finish_stiff(descent, algorithm, result, memory.fallback);
+  if (may_be_stiff || system.precise_steps() > 0)
+    result = finish_stiff(descent, algorithm, result, memory.fallback);
   report.iterations = static_cast<int>(report.records.size());
   report.start.other_iterations = descent.iterations() - report.iterations;
   report.regularized_steps = descent.regularized_steps();

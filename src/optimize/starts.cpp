@@ -311,8 +311,8 @@ class StartSearch {
   Descent& descent_;
   Report::StartReport& report_;
   double& guess_seconds_;
-  Estimates& original_;         // if is_automatic()
-  Estimates& fallback_;         // the original estimates, or the result of try_current()
+  Estimates& original_;  // if is_automatic()
+  Estimates& fallback_;  // the original estimates, or the result of try_current()
   bool ran_carefully_ = false;
   const double chi2_original_;  // the chi2 of the original estimates
 };
