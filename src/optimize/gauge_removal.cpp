@@ -38,46 +38,52 @@ StepResult GaugeRemoval::solve(const Solver& solver) {
   return result.status == LinearStatus::kNotPositiveDefinite ? hold_or_damp(result, solver) : result;
 }
 
-/// Those of the plan's held_scalars that belong to vertices with a frame.
-std::vector<std::uint32_t> GaugeRemoval::turning_scalars() const {
+/// Finds those of the plan's held_scalars that belong to vertices with a frame, and allocates memory for as
+/// many motions.
+void GaugeRemoval::prepare_to_shorten() {
   const std::vector<std::uint32_t>& offset = plan_->structure.offset;
-  std::vector<std::uint32_t> result;
-  std::ranges::copy_if(plan_->held_scalars, std::back_inserter(result), [&](std::uint32_t i) {
+  std::ranges::copy_if(plan_->held_scalars, std::back_inserter(turning_), [&](std::uint32_t i) {
     const auto block = std::ranges::upper_bound(offset, i) - offset.begin() - 1;
     const VertexRef vertex = plan_->block_vertex[static_cast<std::size_t>(block)];
     detail::Frame frame;
     return graph_->vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame);
   });
-  return result;
+  if (turning_.size() > kMostMotions || plan_->eliminated_blocks > 0) turning_.clear();
+  if (turning_.empty()) return;
+  const auto n = static_cast<Eigen::Index>(plan_->scalars());
+  motions_.setZero(n, static_cast<Eigen::Index>(turning_.size()));
+  weights_.setZero(n);
+  unit_.setZero(n);
 }
 
 /// With H t = 0, the solution of (H + c e eᵀ) x = c e is x = t / (eᵀt).
 void GaugeRemoval::shorten(std::span<const double> diagonal, double lambda,
                            detail::FunctionRef<bool(const double* b, double* x)> apply_inverse,
-                           std::span<double> step) const {
-  constexpr std::size_t kMost = 16;  // each of them costs a solution
-  if (!current_.holds_scalars_of(*plan_, lambda)) return;
-  const std::vector<std::uint32_t> held = turning_scalars();
-  if (held.empty() || held.size() > kMost) return;
-  const auto n = static_cast<Eigen::Index>(step.size());
-  Eigen::MatrixXd motions(n, static_cast<Eigen::Index>(held.size()));
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(n);
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    unit[held[k]] = diagonal[held[k]];
-    if (!apply_inverse(unit.data(), motions.col(static_cast<Eigen::Index>(k)).data())) return;
-    unit[held[k]] = 0;
+                           std::span<double> step) {
+  if (turning_.empty() || !current_.holds_scalars_of(*plan_, lambda)) return;
+  for (std::size_t k = 0; k < turning_.size(); ++k) {
+    unit_[turning_[k]] = diagonal[turning_[k]];
+    const bool is_solved = apply_inverse(unit_.data(), motions_.col(static_cast<Eigen::Index>(k)).data());
+    unit_[turning_[k]] = 0;
+    if (!is_solved) return;
   }
-  Eigen::VectorXd weights(n);
   for (std::uint32_t block = 0; block < plan_->structure.blocks(); ++block) {
     const std::uint32_t first = plan_->structure.offset[block], dim = plan_->structure.dim(block);
-    weights.segment(first, dim)
+    weights_.segment(first, dim)
         .setConstant(Eigen::Map<const Eigen::VectorXd>(diagonal.data() + first, dim).mean());
   }
-  Eigen::Map<Eigen::VectorXd> x(step.data(), n);
-  const Eigen::MatrixXd weighted = weights.asDiagonal() * motions;
-  const Eigen::VectorXd shares =
-      (motions.transpose() * weighted).completeOrthogonalDecomposition().solve(weighted.transpose() * x);
-  if (shares.allFinite()) x -= motions * shares;
+  Eigen::Map<Eigen::VectorXd> x(step.data(), motions_.rows());
+  const Eigen::Index count = motions_.cols();
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostMotions, kMostMotions> squares(count, count);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostMotions, 1> along(count);
+  for (Eigen::Index a = 0; a < count; ++a) {
+    const auto weighted = motions_.col(a).cwiseProduct(weights_);
+    along[a] = weighted.dot(x);
+    for (Eigen::Index b = 0; b < count; ++b) squares(a, b) = weighted.dot(motions_.col(b));
+  }
+  along = squares.completeOrthogonalDecomposition().solve(along).eval();
+  if (!along.allFinite()) return;
+  for (Eigen::Index a = 0; a < count; ++a) x -= along[a] * motions_.col(a);
 }
 
 /// Holds directions whose pivots vanish. If that does not help, damps.

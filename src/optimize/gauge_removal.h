@@ -2,6 +2,7 @@
 // Removes the gauge freedom from H in the solves of a run.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -19,7 +20,9 @@ class GaugeRemoval {
  public:
   /// `graph` and `plan` must outlive this object.
   GaugeRemoval(const Graph& graph, const Plan& plan, GaugePolicy policy)
-      : graph_(&graph), plan_(&plan), policy_(policy) {}
+      : graph_(&graph), plan_(&plan), policy_(policy) {
+    prepare_to_shorten();
+  }
 
   /// `has_bounds` says whether any vertex has bounds. Then the motions that the plan leaves free are damped.
   void begin_run(bool has_bounds) {
@@ -50,8 +53,7 @@ class GaugeRemoval {
   /// Directions of vertices without a frame, such as a focal length, do not turn, and stay held.
   /// apply_inverse(b, x) solves with the matrix of the step, and returns false if it cannot.
   void shorten(std::span<const double> diagonal, double lambda,
-               detail::FunctionRef<bool(const double* b, double* x)> apply_inverse,
-               std::span<double> step) const;
+               detail::FunctionRef<bool(const double* b, double* x)> apply_inverse, std::span<double> step);
 
   /// The fraction of itself that is added to each diagonal entry.
   double fraction() const;
@@ -70,7 +72,9 @@ class GaugeRemoval {
   bool has_other_types() const;
 
  private:
-  std::vector<std::uint32_t> turning_scalars() const;
+  /// Each motion costs a solution.
+  static constexpr int kMostMotions = 16;
+  void prepare_to_shorten();
   StepResult hold_or_damp(StepResult result, const Solver& solver);
 
   const Graph* graph_;
@@ -80,6 +84,10 @@ class GaugeRemoval {
   GaugeTreatment learned_;  // in this run, for the next linearization
   GaugeTreatment initial_;  // of each solve after the last linearization
   GaugeTreatment current_;  // of the current solve
+  // For shorten(): the held scalars of vertices that may turn, and memory, so that no iteration allocates.
+  std::vector<std::uint32_t> turning_;
+  Eigen::MatrixXd motions_;
+  Eigen::VectorXd weights_, unit_;
 };
 
 }  // namespace boxplus
