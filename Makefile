@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 600
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz page page-check ci ci-full install packages clean
+.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize sanitize-changes tidy tidy-changes format check fuzz page page-check ci ci-full install packages clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -70,6 +70,9 @@ sanitize: setup ## builds the library and the core suites with clang++, ASan and
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --parallel $(JOBS) --target core_suites
 	@ctest --preset sanitize-core --parallel $(JOBS)
+
+sanitize-changes: setup ## the same for the core suites that the changes since SINCE (the main branch) may have touched
+	@JOBS=$(JOBS) scripts/sanitize_changes.sh $(SINCE)
 
 tidy: setup ## builds with clang++ and runs clang-tidy over every source
 	@cmake --preset tidy

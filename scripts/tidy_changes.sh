@@ -1,18 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # tidy_changes.sh [COMMIT]: runs clang-tidy on the sources whose code changed since COMMIT, with the compile
-# commands of build/sanitize (run `make sanitize` first). By default, COMMIT is the commit at which this
-# branch left the main branch. On the main branch, it is the last commit that is over a day old. The newest
+# commands of build/sanitize (run `make sanitize` first). By default, COMMIT is that of base_commit.sh. The newest
 # changes come first, and at most TIDY_SOURCES (16) sources are checked; `make tidy` checks every source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=build/sanitize
 [[ -f $build/compile_commands.json ]] || { echo "tidy_changes.sh: there is no $build; run make sanitize first" >&2; exit 1; }
-head=$(git rev-parse HEAD)
-since=${1:-$(git merge-base HEAD origin/main 2>/dev/null || echo "$head")}
-[[ $(git rev-parse "$since") != "$head" ]] || since=$(git rev-list -1 --before='1 day ago' HEAD)
-[[ -n $since ]] || since=$(git rev-list --max-parents=0 HEAD | tail -1)
+since=$(scripts/base_commit.sh "$@")
 
 # C++ files with a changed line that is not just a comment, those of the newest commits first.
 changed_files() {
