@@ -67,6 +67,17 @@ bool has_robust_kernels(const Graph& graph, const Plan& plan) {
   return false;
 }
 
+/// Whether a run has converged although noise does not explain its chi2, and some of its edges may be stuck:
+/// points are eliminated, and a few edges have most of chi2, or damping shortened the last step.
+bool may_be_stuck(Descent& descent, const RunResult& result) {
+  constexpr double kLarge = 1;  // λD is as large as H
+  return result.status == Report::Status::kConverged && descent.may_go_on() &&
+         descent.options().algorithm == AlgorithmKind::kAutomatic &&
+         descent.system().plan().eliminated_blocks > 0 && !descent.is_plausible(result.chi2) &&
+         (few_edges_dominate(descent.graph(), descent.system().plan()) ||
+          (!descent.records().empty() && descent.records().back().lambda > kLarge));
+}
+
 class StartSearch {
  public:
   StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, StartMemory& memory)
@@ -321,7 +332,23 @@ class StartSearch {
 
 RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
                                StartMemory& memory) {
-  return StartSearch(descent, report, guess_seconds, memory).run();
+  constexpr double kNoticeable = 0.01;
+  RunResult result = StartSearch(descent, report, guess_seconds, memory).run();
+  for (bool gains = true; gains && may_be_stuck(descent, result);) {
+    // Whoever repeats the run must not gain noticeably.
+    const double before = result.chi2;
+    Report::StartReport again;
+    again.chi2_current = before;
+    std::vector<IterationRecord> records = std::exchange(descent.records(), {});
+    result = StartSearch(descent, again, guess_seconds, memory).run();
+    for (IterationRecord& record : descent.records()) {
+      record.iteration = static_cast<int>(records.size()) + 1;
+      records.push_back(record);
+    }
+    descent.records() = std::move(records);
+    gains = result.chi2 < (1 - kNoticeable) * before;
+  }
+  return result;
 }
 
 }  // namespace boxplus

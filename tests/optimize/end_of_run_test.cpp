@@ -136,8 +136,6 @@ class EndOfBundleRun : public ::testing::TestWithParam<std::tuple<BundleShape, d
 
 TEST_P(EndOfBundleRun, IsAtAMinimumIfItIsConverged) {
   const auto& [shape, pose_noise, point_noise, is_held] = GetParam();
-  // Runs from this far away are chaotic: with other rounding errors, about one in a hundred still gains.
-  int gaining = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     Graph graph = simulate_bundle(shape, {.cameras = 10,
                                           .points = 200,
@@ -149,9 +147,8 @@ TEST_P(EndOfBundleRun, IsAtAMinimumIfItIsConverged) {
     if (is_held) hold(graph, BundlePart::kIntrinsics);
     const Report report = optimize(graph);
     if (!report.converged()) continue;
-    gaining += report.chi2_final > 1.01 * optimize(graph).chi2_final;
+    EXPECT_LE(report.chi2_final, 1.01 * optimize(graph).chi2_final) << "seed " << seed << ": " << report;
   }
-  EXPECT_LE(gaining, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Optimize, EndOfBundleRun,
