@@ -11,22 +11,13 @@
 #include "boxplus/boxplus.h"
 #include "boxplus/io/text_source.h"
 #include "boxplus/io/write_file.h"
+#include "io/packed.h"
 
 namespace boxplus {
 namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-std::string packed(std::string_view text) {
-  std::string result;
-  const auto sink = [&](std::string_view piece) { result += piece; };
-  GzipPacker packer(sink);
-  packer.write(text.substr(0, text.size() / 3));
-  packer.write(text.substr(text.size() / 3));
-  packer.finish();
-  return result;
-}
 
 std::string unpacked(std::string_view bytes, std::size_t piece) {
   std::string text;

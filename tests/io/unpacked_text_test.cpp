@@ -4,22 +4,13 @@
 #include <gmock/gmock.h>
 
 #include "boxplus/base/error.h"
-#include "io/gzip.h"
+#include "io/packed.h"
 
 namespace boxplus {
 namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-std::string packed(std::string_view text) {
-  std::string result;
-  const auto sink = [&](std::string_view piece) { result += piece; };
-  GzipPacker packer(sink);
-  packer.write(text);
-  packer.finish();
-  return result;
-}
 
 TEST(Unpack, RefusesALongTextOfAMuchSmallerFile) {
   const std::string lines(1'000'000, '\n'), bytes = packed(lines);

@@ -102,7 +102,7 @@ TEST(FindOutliers, FindsHalfOfTheClosuresOfARealGraph) {
     const OutlierReport found = find_outliers(example.graph);
     EXPECT_TRUE(found.report.converged()) << found.report.message;
     EXPECT_LE(wrong_verdicts(found, example.false_closures), 15) << group;
-    EXPECT_LT(example.displacement(), 0.06) << group;
+    EXPECT_LT(example.displacement(), 0.05) << group;
   }
 }
 

@@ -344,7 +344,7 @@ void ClosureSearch::settle() {
 /// error is small, and a few of thousands agree by chance. So the margin for noise that is far below Ω grows
 /// with the number of closures that support it.
 double ClosureSearch::limit_of_result(std::size_t closure) const {
-  const double margin = 1.0 + cycles_.supporters[closure];
+  const double margin = 1.0 + 2.0 * cycles_.supporters[closure];
   const double share = accepted_[closure] || is_supported(closure) ? 1 : kWellBelow;
   return share * quantile_[closure] * std::min(limit_scale_, margin * noise_scale_);
 }
