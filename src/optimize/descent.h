@@ -76,8 +76,8 @@ class Descent {
   /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
-  /// Whether some unknown had a large influence in a run, and hardly any at its end. Then the run may have
-  /// ended far from a minimum, where an exponential function has vanished, for example.
+  /// Whether some unknown had a large influence in a run, and hardly any at its end. Such a run may have
+  /// ended on a plateau far from a minimum: an exponential function has vanished.
   bool has_lost_influence() const { return has_lost_influence_; }
   /// The number of scalars that leave_flat_directions() displaced.
   int displaced_directions() const { return displaced_directions_; }

@@ -72,9 +72,9 @@ struct [[nodiscard]] OutlierReport {
 ///   4. At the end, every closure is compared with the estimates: it is an inlier if its chi2 is below the
 ///      limit of OutlierOptions::false_alarm. A closure without support needs half of that error.
 ///
-/// Odometry is judged, too, where it is doubtful: edges between the same two neighbors that contradict each
-/// other, an edge that many closures contradict which agree with each other, and edges that accepted closures
-/// bend far more than the others. Such an edge is one of the suspects if more closures fit without it. If
+/// Three kinds of odometry edges are judged as well: edges between the same two neighbors that contradict
+/// each other; an edge that contradicts many closures, which agree with each other; and edges with far larger
+/// errors than the others. An edge of the last two kinds is a suspect if more closures fit without it. If
 /// many closures that agree with each other remain rejected, `report` is not converged
 /// (Report::Reason::kRejectedEdges), and `note` says why.
 ///
