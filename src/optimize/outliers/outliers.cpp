@@ -70,20 +70,25 @@ class Search {
   }
   /// The number of accepted closures between poses that are no neighbors.
   std::size_t accepted() {
-    const std::vector<EdgeVerdict> verdicts = closures_.verdicts();
+    const std::vector<EdgeVerdict>& verdicts = verdicts_after_run();
     std::size_t count = 0;
     for (std::size_t k = 0; k < verdicts.size(); ++k)
       count += verdicts[k].weight > 0 && poses_.closures[k].to - poses_.closures[k].from > 1;
     return count;
   }
   std::optional<outliers::Contradiction> contradiction(const Graph& graph) {
-    return most_contradicted_link(graph, poses_, cycles_, closures_.verdicts());
+    return most_contradicted_link(graph, poses_, cycles_, verdicts_after_run());
   }
   std::size_t rejected_in_large_groups() {
-    return outliers::rejected_in_large_groups(cycles_, closures_.verdicts());
+    return outliers::rejected_in_large_groups(cycles_, verdicts_after_run());
   }
 
  private:
+  /// The verdicts at the estimates to which run() led.
+  const std::vector<EdgeVerdict>& verdicts_after_run() {
+    if (verdicts_.empty()) verdicts_ = closures_.verdicts();
+    return verdicts_;
+  }
   static std::vector<outliers::Motion> along(const outliers::OdometryChain& chain,
                                              const outliers::PoseGraph& poses) {
     std::vector<outliers::Motion> result;
@@ -96,6 +101,7 @@ class Search {
   const outliers::Evidence evidence_;
   const outliers::CycleTests cycles_;
   outliers::ClosureSearch closures_;
+  std::vector<EdgeVerdict> verdicts_;
 };
 
 /// Suspects the links that many closures contradict, and those that accepted closures bend. If more closures
