@@ -115,9 +115,7 @@ class Column : public g2o::BaseVertex<3, g2o::VectorX> {
 
 class NumbersPrior : public g2o::BaseUnaryEdge<3, g2o::Vector3, Numbers<3>> {
  public:
-  void computeError() override {
-    _error = static_cast<const Numbers<3>*>(_vertices[0])->estimate() - _measurement;
-  }
+  void computeError() override { _error = usedVertexXn<0>()->estimate() - _measurement; }
   bool read(std::istream&) override { return false; }
   bool write(std::ostream&) const override { return false; }
 };

@@ -129,7 +129,7 @@ class AutoDifferentiation {
   }
   template <std::size_t... K>
   static std::array<double*, kVertices> jacobianData(Edge* that, std::index_sequence<K...>) {
-    return {{(that->template vertexXn<static_cast<int>(K)>()->fixed()
+    return {{(that->template usedVertexXn<static_cast<int>(K)>()->fixed()
                   ? nullptr
                   : that->template jacobianOplusXn<static_cast<int>(K)>().data())...}};
   }

@@ -103,6 +103,15 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   VertexXnType<VertexN>* vertexXn() {
     return static_cast<VertexXnType<VertexN>*>(this->_vertices[VertexN]);
   }
+  /// Returns a vertex, which may be of another class than the declared one, as the base class that both have.
+  template <int VertexN>
+  const typename VertexXnType<VertexN>::UsedByEdges* usedVertexXn() const {
+    return static_cast<const typename VertexXnType<VertexN>::UsedByEdges*>(this->_vertices[VertexN]);
+  }
+  template <int VertexN>
+  typename VertexXnType<VertexN>::UsedByEdges* usedVertexXn() {
+    return static_cast<typename VertexXnType<VertexN>::UsedByEdges*>(this->_vertices[VertexN]);
+  }
   /// Returns the number of dimensions of a vertex, which may be chosen at run time.
   template <int VertexN>
   int vertexDimension() const {
@@ -110,7 +119,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     if constexpr (kDimension >= 0) {
       return kDimension;
     } else {
-      return vertexXn<VertexN>()->dimension();
+      return usedVertexXn<VertexN>()->dimension();
     }
   }
   template <int VertexN>
@@ -226,7 +235,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   }
   template <std::size_t... N>
   bool allVerticesFixed(std::index_sequence<N...>) const {
-    return (vertexXn<N>()->fixed() && ...);
+    return (usedVertexXn<N>()->fixed() && ...);
   }
 
   template <std::size_t... N>
@@ -245,8 +254,8 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   }
   template <int N>
   void linearizeNumerically() {
-    if (vertexXn<N>()->fixed()) return;
-    internal::numericJacobian(*this, *vertexXn<N>(), std::get<N>(_jacobianOplus).data());
+    if (usedVertexXn<N>()->fixed()) return;
+    internal::numericJacobian(*this, *usedVertexXn<N>(), std::get<N>(_jacobianOplus).data());
   }
 
   /// The total number of columns of all Jacobians, or −1 if it is known only at run time.
@@ -300,7 +309,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   /// with the vertices after N.
   template <int N, std::size_t... M>
   void addColumn(const double* products, int stride, const double* gradient, std::index_sequence<M...>) {
-    VertexXnType<N>* from = vertexXn<N>();
+    auto* from = usedVertexXn<N>();
     if (from->fixed() || from->A().data() == nullptr) return;
     constexpr int kDimension = VertexXnType<N>::Dimension, kColumn = columnOf<N>();
     from->b() -= Eigen::Map<const Eigen::Matrix<double, kDimension, 1>>(gradient + kColumn);
@@ -310,7 +319,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   template <int N, int M>
   void addPair(const double* products, int stride) {
     constexpr int K = internal::pair_to_index(N, M);
-    if (vertexXn<M>()->fixed()) return;
+    if (usedVertexXn<M>()->fixed()) return;
     constexpr int kFirst = VertexXnType<N>::Dimension, kSecond = VertexXnType<M>::Dimension;
     if (_hessianRowMajor[K]) {
       auto& block = std::get<K>(_hessianTupleTransposed);
@@ -327,7 +336,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   template <int N, std::size_t... M>
   void constructColumn(const InformationType& omega, const ErrorVector& weightedError,
                        std::index_sequence<M...>) {
-    VertexXnType<N>* from = vertexXn<N>();
+    auto* from = usedVertexXn<N>();
     if (from->fixed() || from->A().data() == nullptr) return;
     constexpr int kDimension = VertexXnType<N>::Dimension;
     const auto& J = std::get<N>(_jacobianOplus);
@@ -341,7 +350,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   template <int N, int M, class Product>
   void constructPair(const Product& JtOmega) {
     constexpr int K = internal::pair_to_index(N, M);
-    if (vertexXn<M>()->fixed()) return;
+    if (usedVertexXn<M>()->fixed()) return;
     const auto& J = std::get<M>(_jacobianOplus);
     if (_hessianRowMajor[K]) {
       auto& block = std::get<K>(_hessianTupleTransposed);
