@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom algorithm: implements the interface in boxplus/optimize/algorithm.h as Gauss-Newton with a line
+// A custom algorithm: implements the interface in boxplus/algorithm/algorithm.h as Gauss-Newton with a line
 // search.
 //
 // An algorithm uses neither the graph nor matrices, but only the class System. It asks the System to
 // linearize, to compute a step, and to try the step. Then it accepts or rejects the step.
+#include <boxplus/algorithm/algorithm.h>
 #include <boxplus/boxplus.h>
-#include <boxplus/optimize/algorithm.h>
 
 #include <cstddef>
 #include <cstdio>

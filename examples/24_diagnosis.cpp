@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Why did it fail? diagnose() says what is wrong with a graph, and how to mend it.
 #include <boxplus/boxplus.h>
-#include <boxplus/optimize/diagnose.h>
+#include <boxplus/diagnose/diagnose.h>
 #include <boxplus/types/slam2d.h>
 
 #include <iostream>

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "boxplus/boxplus.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 #include "boxplus/types/slam3d.h"
 
 using namespace boxplus;

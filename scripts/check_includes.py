@@ -26,18 +26,24 @@ ALLOWED = {
     "graph": "base kernels manifold autodiff robust",
     "linear": "base kernels",
     "gauge": "base manifold autodiff robust graph",
+    "options": "base graph linear gauge",
     "plan": "base manifold autodiff robust graph linear gauge",
     "linearize": "base kernels manifold autodiff robust graph linear plan",
-    "optimize": "base manifold autodiff robust graph linear gauge plan linearize",
-    "types": "base kernels manifold autodiff robust graph optimize",
-    "io": "base manifold autodiff robust graph optimize types",
-    "trajectory": "base manifold autodiff robust graph optimize types io",
-    "action": "base manifold autodiff robust graph linear gauge plan linearize optimize types io",
-    "plugin": "base manifold autodiff robust graph linear gauge plan linearize optimize types io action",
+    "system": "base graph linear gauge options plan linearize",
+    "algorithm": "base linear options system",
+    "guess": "base manifold graph linear options plan",
+    "covariance": "base graph linear gauge options plan linearize system",
+    "diagnose": "base manifold robust graph linear gauge options plan",
+    "optimize": "base robust graph linear gauge options plan linearize system algorithm guess covariance diagnose",
+    "outliers": "base manifold robust graph options optimize",
+    "certify": "base manifold graph linear options guess optimize",
+    "types": "base kernels manifold autodiff robust graph covariance",
+    "io": "base manifold autodiff robust graph types",
+    "trajectory": "base manifold autodiff robust graph types io",
     # A library of its own.
-    "viewer": "base manifold autodiff robust graph linear gauge plan linearize optimize types io trajectory",
+    "viewer": "base manifold graph linear options plan guess algorithm covariance diagnose optimize outliers types io trajectory",
     # Checkers and simulators with which users test their own types.
-    "testing": "base manifold autodiff robust graph linear gauge plan linearize optimize types",
+    "testing": "base manifold autodiff robust graph types",
 }
 LIBRARY = set(ALLOWED) - {"testing", "viewer"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/stopwatch.h"
 #include "datasets/median.h"
-#include "optimize/stopwatch.h"
 
 namespace boxplus::bench {
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/stopwatch.h"
 #include "boxplus/linear/make_linear_solver.h"
-#include "boxplus/linearize/linearizer.h"
 #include "datasets/cholmod_peer.h"
 #include "datasets/interleave.h"
-#include "optimize/stopwatch.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "optimize/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace boxplus::bench {
 std::string library_of(const char* routine) {

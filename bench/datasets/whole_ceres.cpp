@@ -5,13 +5,13 @@
 
 #include <exception>
 
+#include "base/stopwatch.h"
 #include "boxplus/optimize/optimizer.h"
 #include "datasets/ceres/ceres_peer.h"
 #include "datasets/datasets.h"
 #include "datasets/graph_numbers.h"
 #include "datasets/open_blas.h"
 #include "datasets/whole_run.h"
-#include "optimize/stopwatch.h"
 
 using namespace boxplus;
 using namespace boxplus::bench;

@@ -5,11 +5,11 @@
 
 #include <exception>
 
+#include "base/stopwatch.h"
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/optimizer.h"
 #include "datasets/median_iteration.h"
 #include "datasets/whole_run.h"
-#include "optimize/stopwatch.h"
 
 using namespace boxplus;
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/linearize/linearizer.h"
 #include "boxplus/testing/simulate_inertial.h"
 #include "boxplus/types/inertial.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "base/align_points.h"
 #include "boxplus/boxplus.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 #include "boxplus/testing/false_closures.h"
 #include "datasets/cpu_time.h"
 #include "datasets/median.h"

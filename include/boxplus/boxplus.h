@@ -14,16 +14,17 @@
 //     robust/huber.h, redescending.h,      robust kernels; make_robust_kernel() makes them by name
 //     robust/barron.h, default_width.h
 //     io/registry.h, file_format.h, data.h custom file tags and formats; data in files
-//     optimize/algorithm.h                 custom algorithms
-//     optimize/certificate.h               whether the minimum of a pose graph is global
-//     optimize/diagnose.h                  what is wrong with a graph
-//     optimize/outliers.h                  which edges are false
+//     algorithm/algorithm.h                custom algorithms
+//     certify/certificate.h                whether the minimum of a pose graph is global
+//     diagnose/diagnose.h                  what is wrong with a graph
+//     outliers/outliers.h                  which edges are false
 //     linear/linear_solver.h               custom linear solvers
 //     testing/check_jacobians.h, …         checks of custom types
 #pragma once
 
 // IWYU pragma: begin_exports
 #include "boxplus/base/error.h"
+#include "boxplus/covariance/covariance.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/io/graph_file.h"
 #include "boxplus/manifold/product.h"
@@ -31,7 +32,6 @@
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
 #include "boxplus/manifold/so3.h"
-#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "boxplus/types/between.h"

@@ -418,7 +418,6 @@ class Options:
     level: int
     vertices: Sequence[Vertex]
     edges: Sequence[EdgeRef]
-    outliers: Suspects | None
     callback: Callable[[IterationRecord], bool | None] | None
     stop: StopFlag | None
 

@@ -168,8 +168,6 @@ class Report:
     constraints: list[Report.ConstraintResult]
     constraint_violation: float
     constraint_rounds: int
-    verdicts: list[EdgeVerdict]
-    outlier_note: str
     findings: list[Finding]
     algorithm: str
     linear_solver: str

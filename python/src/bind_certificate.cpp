@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bind.h"
-#include "boxplus/optimize/certificate.h"
+#include "boxplus/certify/certificate.h"
 #include "enumerators.h"
 #include "members.h"
 #include "options_object.h"
@@ -61,7 +61,7 @@ void bind_certificate(py::module_& module) {
       py::arg("tolerance") = defaults.tolerance, py::arg("max_escapes") = defaults.max_escapes,
       "certify(graph): decides whether the minimum at which optimize() has ended is the global one. If a "
       "better minimum is found, the graph gets its estimates. docs/certificate.md explains what is proved, "
-      "and boxplus/optimize/certificate.h tolerance, max_escapes and the options that have an effect. Other "
+      "and boxplus/certify/certificate.h tolerance, max_escapes and the options that have an effect. Other "
       "threads of Python run meanwhile. Ctrl-C (KeyboardInterrupt) stops the search.");
   module.def(
       "why_not_certifiable",

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bind.h"
-#include "boxplus/optimize/diagnose.h"
+#include "boxplus/diagnose/diagnose.h"
 #include "enumerators.h"
 #include "members.h"
 #include "options_object.h"

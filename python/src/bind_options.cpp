@@ -39,17 +39,13 @@ constexpr std::tuple kOptions{Member{"algorithm", &Options::algorithm},
                               Member{"max_factor_bytes", &Options::max_factor_bytes},
                               Member{"threads", &Options::threads},
                               Member{"level", &Options::level},
-                              Member{"edges", &Options::edges},
-                              Member{"outliers", &Options::outliers}};
+                              Member{"edges", &Options::edges}};
 static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 4,
               "kOptions does not have all members of Options");
 
 template <class T>
 void read(py::handle value, const std::string& name, T& out) {
-  if constexpr (std::is_same_v<T, std::optional<Suspects>>) {
-    out.reset();
-    if (!value.is_none()) out = read_enumerator<Suspects>(value, name);
-  } else if constexpr (std::is_enum_v<T>) {
+  if constexpr (std::is_enum_v<T>) {
     out = read_enumerator<T>(value, name);
   } else if constexpr (std::is_same_v<T, bool>) {
     if (!py::isinstance<py::bool_>(value)) throw_type_error(name, "a bool", value);
@@ -155,7 +151,7 @@ void bind_options(py::module_& module) {
 
   py::class_<OptionsObject> type(
       module, "Options",
-      "The options of optimize(); boxplus/optimize/options.h explains each of them. "
+      "The options of optimize(); boxplus/options/options.h explains each of them. "
       "Values of enumerations may be given as text: algorithm=\"dogleg\".",
       collected<OptionsObject>());
   bind_enum<Options::DampingScale>(type);

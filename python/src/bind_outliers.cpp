@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bind.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 #include "enumerators.h"
 #include "members.h"
 #include "options_object.h"
@@ -110,7 +110,7 @@ void bind_outliers(py::module_& module) {
       py::arg("false_alarm") = defaults.false_alarm, py::arg("evidence") = defaults.evidence,
       py::arg("window") = defaults.window,
       "find_outliers(graph, suspects=\"all\"): optimizes a graph without its false edges. The suspects are "
-      "\"loop-closures\" or \"all\". boxplus/optimize/outliers.h explains the method, false_alarm, evidence "
+      "\"loop-closures\" or \"all\". boxplus/outliers/outliers.h explains the method, false_alarm, evidence "
       "and window; the other "
       "options are those of optimize(). Other threads of Python run meanwhile. Ctrl-C "
       "(KeyboardInterrupt) stops the search.");

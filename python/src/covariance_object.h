@@ -2,7 +2,7 @@
 // The class Covariance of Python.
 #pragma once
 
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 #include "graph_object.h"
 
 namespace boxplus::python {

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <type_traits>
 
-#include "boxplus/optimize/certificate.h"
-#include "boxplus/optimize/covariance.h"
-#include "boxplus/optimize/diagnose.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/certify/certificate.h"
+#include "boxplus/covariance/covariance.h"
+#include "boxplus/diagnose/diagnose.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/outliers/outliers.h"
 #include "convert.h"
 
 namespace boxplus::python {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "boxplus/optimize/options.h"
+#include "boxplus/options/options.h"
 
 namespace boxplus::python {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxplus/graph/graph.h"
+#include "graph/graph_view.h"
 
 namespace boxplus {
 
@@ -25,16 +25,14 @@ class EdgeEnds {
   enum class End : std::uint8_t { kParameter, kFixed, kMoving };
 
   /// `movable` has a flag for each slot of each vertex pool.
-  EdgeEnds(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable) : graph_(graph) {
+  EdgeEnds(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable) : view_(graph) {
+    ends_.reserve(view_.numbers());
     for (std::size_t p = 0; p < movable.size(); ++p) {
       const detail::VertexPool& pool = *graph.vertex_pools()[p];
-      first_.push_back(count_);
-      count_ += pool.slots();
-      std::vector<End>& ends = ends_.emplace_back(movable[p].size());
-      for (std::uint32_t slot = 0; slot < ends.size(); ++slot) {
-        ends[slot] = pool.parameter(slot)    ? End::kParameter
-                     : movable[p][slot] != 0 ? End::kMoving
-                                             : End::kFixed;
+      for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
+        ends_.push_back(pool.parameter(slot)    ? End::kParameter
+                        : movable[p][slot] != 0 ? End::kMoving
+                                                : End::kFixed);
       }
     }
   }
@@ -42,12 +40,10 @@ class EdgeEnds {
   /// Calls f(vertex, end, position) for each vertex of the edge.
   template <class F>
   void for_each(EdgeSlot edge, F&& f) const {
-    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-    const auto slots = pool.vertex_slots(edge.slot);
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
-      f(VertexSlot{p, slots[i]}, ends_[p][slots[i]], i);
-    }
+    view_.for_each_vertex(edge.pool, edge.slot,
+                          [&](std::uint32_t pool, std::uint32_t slot, std::size_t position) {
+                            f(VertexSlot{pool, slot}, ends_[view_.number(pool, slot)], position);
+                          });
   }
   /// Calls f(vertex, position) for each moving vertex of the edge.
   template <class F>
@@ -57,15 +53,12 @@ class EdgeEnds {
     });
   }
 
-  /// The number of a vertex among all slots of all pools, of which there are slots().
-  std::uint32_t index(VertexSlot v) const { return first_[v.pool] + v.slot; }
-  std::size_t slots() const { return count_; }
+  const GraphView& view() const { return view_; }
+  std::uint32_t number(VertexSlot v) const { return view_.number(v.pool, v.slot); }
 
  private:
-  const Graph& graph_;
-  std::vector<std::vector<End>> ends_;  // per slot of each vertex pool
-  std::vector<std::uint32_t> first_;    // the index of the first slot of each vertex pool
-  std::uint32_t count_ = 0;
+  GraphView view_;
+  std::vector<End> ends_;  // by number
 };
 
 }  // namespace boxplus

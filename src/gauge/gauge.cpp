@@ -60,21 +60,22 @@ class GaugeFinder {
         }
       }
     };
-    DisjointSets sets(ends_.slots());
+    DisjointSets sets(ends_.view().numbers());
     for_each_edge([&](EdgeSlot edge) {
       std::uint32_t last = kNone;
       ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
-        if (last != kNone) sets.join(last, ends_.index(v));
-        last = ends_.index(v);
+        if (last != kNone) sets.join(last, ends_.number(v));
+        last = ends_.number(v);
       });
     });
     std::vector<Component> result;
-    std::vector<std::uint32_t> component_of(ends_.slots(), kNone);  // the index in `result` of each root
+    std::vector<std::uint32_t> component_of(ends_.view().numbers(),
+                                            kNone);  // the index in `result` of each root
     for_each_edge([&](EdgeSlot edge) {
       std::uint32_t root = kNone;
       int moving = 0;
       ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
-        root = sets.find(ends_.index(v));
+        root = sets.find(ends_.number(v));
         ++moving;
       });
       if (moving == 0) return;
@@ -86,7 +87,7 @@ class GaugeFinder {
     });
     for (VertexSlot v{0, 0}; v.pool < movable_.size(); ++v.pool) {
       for (v.slot = 0; v.slot < movable_[v.pool].size(); ++v.slot) {
-        const std::uint32_t component = component_of[sets.find(ends_.index(v))];
+        const std::uint32_t component = component_of[sets.find(ends_.number(v))];
         if (component != kNone) add_vertex(v, result[component]);
       }
     }

@@ -32,8 +32,8 @@ SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector
       ends_(ends),
       stop_(stop),
       own_(own_directions(graph, movable)),
-      kind_of_(ends.slots()),
-      tangents_(ends.slots()) {
+      kind_of_(ends.view().numbers()),
+      tangents_(ends.view().numbers()) {
   for (const auto& pool : graph.vertex_pools()) roles_.emplace_back(pool->slots(), WorldRole::kNone);
 }
 
@@ -52,13 +52,13 @@ void SimilarityTest::select(std::span<const VertexSlot> vertices, std::span<cons
     ends_.for_each_moving(edges[k], [&](VertexSlot v, std::size_t position) {
       const std::size_t place = uniform ? position : v.pool;
       if (first_at.size() <= place) first_at.resize(place + 1, kNone);
-      if (first_at[place] == kNone) first_at[place] = ends_.index(v);
-      kind_of_.join(first_at[place], ends_.index(v));
+      if (first_at[place] == kNone) first_at[place] = ends_.number(v);
+      kind_of_.join(first_at[place], ends_.number(v));
     });
   }
   kinds_.clear();
   for (const VertexSlot v : vertices) {
-    const std::uint32_t id = kind_of_.find(ends_.index(v));
+    const std::uint32_t id = kind_of_.find(ends_.number(v));
     if (std::any_of(kinds_.begin(), kinds_.end(), [&](const Kind& k) { return k.id == id; })) continue;
     detail::Frame frame;
     if (!graph_.vertex_pools()[v.pool]->get_frame(v.slot, frame)) continue;
@@ -123,7 +123,7 @@ void SimilarityTest::choose_roles(int dimension) {
 
 void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, int dimension) {
   for (const VertexSlot v : vertices) {
-    const std::uint32_t id = kind_of_.find(ends_.index(v));
+    const std::uint32_t id = kind_of_.find(ends_.number(v));
     const auto kind = std::find_if(kinds_.begin(), kinds_.end(),
                                    [&](const Kind& k) { return k.id == id && k.dimension == dimension; });
     roles_[v.pool][v.slot] = kind == kinds_.end() ? WorldRole::kNone : kind->candidates[kind->choice];
@@ -184,7 +184,7 @@ SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> verti
   freedom.motions.own = std::move(own);
   freedom.basis = moving(vertices, freedom.motions);
   if (freedom.basis.cols() > 0) freedom.basis = unresisted(vertices, edges, freedom.motions, freedom.basis);
-  for (const OwnDirection& direction : freedom.motions.own) tangents_[ends_.index(direction.vertex)] = {};
+  for (const OwnDirection& direction : freedom.motions.own) tangents_[ends_.number(direction.vertex)] = {};
   return freedom;
 }
 
@@ -218,7 +218,7 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   PacedStop pace(stop_, 64);
   for (const VertexSlot v : vertices) {
     pace.step();
-    Tangents& tangents = tangents_[ends_.index(v)];
+    Tangents& tangents = tangents_[ends_.number(v)];
     const WorldRole role = roles_[v.pool][v.slot];
     if (role == WorldRole::kNone) {
       tangents = {};
@@ -229,7 +229,7 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
     sum += in_world.transpose().lazyProduct(in_world);
   }
   for (const auto& [v, component] : motions.own)
-    tangents_[ends_.index(v)].set(motion_tangents(graph_, v, WorldRole::kNone, motions));
+    tangents_[ends_.number(v)].set(motion_tangents(graph_, v, WorldRole::kNone, motions));
   const double least = 1e-12 * sum.trace();
   const MatrixXd moves = eigenvectors_of(sum, [&](double squared) { return squared > least; });
   MatrixXd candidates = MatrixXd::Zero(world + own, moves.cols() + own);
@@ -245,7 +245,7 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
   constexpr double kNothing = 1e-12;
   MatrixXd sum = MatrixXd::Zero(motions.count(), motions.count()), jacobian, changes;
   for (const VertexSlot v : vertices) {
-    const Tangents& tangents = tangents_[ends_.index(v)];
+    const Tangents& tangents = tangents_[ends_.number(v)];
     for (const int direction : graph_.vertex_pools()[v.pool]->fixed_directions(v.slot)) {
       if (tangents.values.size() == 0) continue;
       add_resistance(tangents.values.row(direction), tangents.norms.row(direction), sum);
@@ -267,7 +267,7 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     magnitudes.setZero(shape.rows);
     Eigen::Index column = 0;
     ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
-      const Tangents& tangents = tangents_[ends_.index(v)];
+      const Tangents& tangents = tangents_[ends_.number(v)];
       const Eigen::Index dim = graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
       const auto of_vertex = jacobian.middleCols(std::exchange(column, column + dim), dim);
       if (tangents.values.size() == 0) return;

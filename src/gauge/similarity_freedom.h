@@ -107,10 +107,10 @@ class SimilarityTest {
   const std::vector<OwnDirection> own_;  // the directions that may change along with the world
   std::span<const VertexSlot> vertices_;
   std::span<const EdgeSlot> edges_, anchors_;
-  DisjointSets kind_of_;  // by EdgeEnds::index()
+  DisjointSets kind_of_;  // by GraphView::number()
   std::vector<Kind> kinds_;
   std::vector<std::vector<WorldRole>> roles_;
-  std::vector<Tangents> tangents_;  // by EdgeEnds::index()
+  std::vector<Tangents> tangents_;  // by GraphView::number()
 };
 
 }  // namespace boxplus

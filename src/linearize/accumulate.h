@@ -7,8 +7,8 @@
 #include <span>
 
 #include "boxplus/graph/information.h"
-#include "boxplus/plan/plan.h"
 #include "plan/dense_scratch.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

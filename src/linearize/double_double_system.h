@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/double_double.h"
-#include "boxplus/linearize/linearizer.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/linearize/linearizer.h"
+#include "linearize/linearizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -318,38 +318,6 @@ void Linearizer::evaluate_share(int worker, int workers) {
       first += count;
     }
   }
-}
-
-std::optional<EdgeRef> Linearizer::find_non_finite_error() const {
-  for (const EdgeList& list : plan_->edges) {
-    const detail::EdgePool& pool = *graph_->edge_pools()[list.pool];
-    for (std::size_t k = 0; k < list.edges.size(); ++k) {
-      if (std::isfinite(edge_chi2_[list.first + k])) continue;
-      return EdgeRef{list.pool, list.edges[k], pool.generation(list.edges[k])};
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<EdgeRef> Linearizer::find_non_finite_jacobian(const LinearizeOptions& options) const {
-  for (const EdgeList& list : plan_->edges) {
-    const detail::EdgePool& pool = *graph_->edge_pools()[list.pool];
-    for (const std::uint32_t edge : list.edges) {
-      if (!pool.enabled(edge)) continue;
-      const detail::EdgeShape shape = pool.shape(edge);
-      std::vector<double> error(static_cast<std::size_t>(shape.rows));
-      std::vector<double> jacobian(static_cast<std::size_t>(shape.rows * shape.cols));
-      detail::EdgeTile tile;
-      tile.error = error.data();
-      tile.jacobian = jacobian.data();
-      pool.linearize(std::span(&edge, 1), tile, options.numeric_jacobians);
-      const double e2 = pool.information(edge, shape.rows).squared_norm(error.data());
-      const double weight = edge_weight(pool.kernel(edge), e2, false).first;
-      if (!all_finite(jacobian) || !all_finite(error) || !std::isfinite(weight))
-        return EdgeRef{list.pool, edge, pool.generation(edge)};
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace boxplus

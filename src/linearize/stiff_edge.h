@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "boxplus/linearize/linearizer.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 

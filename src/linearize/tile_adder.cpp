@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linearize/tile_adder.h"
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 namespace {

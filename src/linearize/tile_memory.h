@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/plan/plan.h"
 #include "linearize/jacobian_products.h"
 #include "linearize/tile_adder.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

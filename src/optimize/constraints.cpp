@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/vector_math.h"
 #include "boxplus/base/error.h"
-#include "optimize/non_finite.h"
-#include "optimize/vector_math.h"
+#include "linearize/non_finite.h"
 
 namespace boxplus {
 namespace {

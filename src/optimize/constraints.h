@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "boxplus/optimize/report.h"
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

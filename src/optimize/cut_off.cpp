@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.h"
+#include "graph/graph_view.h"
 
 namespace boxplus {
 namespace {
@@ -14,33 +15,22 @@ constexpr std::uint32_t kWorld = 0, kNone = 0xFFFFFFFFu;
 /// Finds the nodes that an edge connects. An edge with one moving vertex measures it relative to the world.
 class EdgeNodes {
  public:
-  EdgeNodes(const Graph& graph, const Plan& plan) : graph_(graph) {
-    for (const auto& pool : graph.vertex_pools()) {
-      std::vector<std::uint32_t>& nodes = node_.emplace_back(pool->slots(), kWorld);
-      for (std::uint32_t slot = 0; slot < nodes.size(); ++slot) {
-        if (pool->parameter(slot)) nodes[slot] = kNone;
-      }
-    }
+  EdgeNodes(const Graph& graph, const Plan& plan) : view_(graph), node_(view_.numbers(), kWorld) {
     for (std::uint32_t block = 0; block < plan.block_vertex.size(); ++block)
-      node_[plan.block_vertex[block].pool][plan.block_vertex[block].slot] = block + 1;
+      node_[view_.number(plan.block_vertex[block])] = block + 1;
   }
 
   /// The result is valid until the next call.
-  std::span<const std::uint32_t> of(std::uint32_t p, std::uint32_t edge) {
-    const detail::EdgePool& pool = *graph_.edge_pools()[p];
-    const auto slots = pool.vertex_slots(edge);
+  std::span<const std::uint32_t> of(std::uint32_t pool, std::uint32_t edge) {
     nodes_.clear();
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t node = node_[pool.vertex_pool(edge, static_cast<int>(i))][slots[i]];
-      if (node != kNone) nodes_.push_back(node);
-    }
+    view_.for_each_end(pool, edge, [&](std::uint32_t number) { nodes_.push_back(node_[number]); });
     if (nodes_.size() == 1) nodes_.push_back(kWorld);
     return nodes_;
   }
 
  private:
-  const Graph& graph_;
-  std::vector<std::vector<std::uint32_t>> node_;  // by vertex pool and slot
+  GraphView view_;
+  std::vector<std::uint32_t> node_;  // by number
   std::vector<std::uint32_t> nodes_;
 };
 

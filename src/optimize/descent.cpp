@@ -6,9 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "algorithm/levenberg_marquardt.h"
+#include "base/vector_math.h"
 #include "optimize/edge_counts.h"
 #include "optimize/flat_directions.h"
-#include "optimize/levenberg_marquardt.h"
 #include "optimize/significance.h"
 
 namespace boxplus {
@@ -29,10 +30,6 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
       return {Report::Status::kFailed, Report::Reason::kNotPositiveDefinite, chi2, iterations};
   }
 }
-
-/// chi2 per unknown below which estimates fit noise-free data exactly: the errors are below 1e-10 standard
-/// deviations.
-constexpr double kExact = 1e-20;
 
 /// Whether chi2 is above the chi2 at the start of a run by more than a rounding error.
 bool is_above(double start, double chi2, std::size_t unknowns) {
@@ -76,8 +73,8 @@ std::optional<Report::Reason> convergence(const Options& options, const Iteratio
 
 }  // namespace
 
-Descent::Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options,
-                 RunStop& stop, const Stopwatch& clock, std::vector<IterationRecord>& records)
+Descent::Descent(Graph& graph, RunSystem& system, Algorithm& algorithm, const Options& options, RunStop& stop,
+                 const Stopwatch& clock, std::vector<IterationRecord>& records)
     : graph_(graph),
       system_(system),
       algorithm_(&algorithm),
@@ -186,9 +183,9 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     IterationRecord record;
     record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
-    system_.begin_iteration();
+    system_.trial().order().begin_iteration();
     const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
-    system_.expect_no_trial();
+    system_.trial().order().expect_no_trial("Algorithm::iterate");
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
     const std::size_t unknowns = system_.gradient().size();
     if (outcome == IterationOutcome::kNoStepFound && chi2 <= kExact * static_cast<double>(unknowns))
@@ -196,13 +193,14 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop(), chi2, iteration);
     stop_.apply_limit();
     system_.set_stop(stop());
-    system_.describe_step(chi2, record);
+    system_.trial().describe_step(chi2, record);
+    record.gradient_max = max_abs(system_.gradient());
     record.time_s = clock_.seconds();
     records_.push_back(record);
     const double before = chi2;
     chi2 = record.chi2;
     const double variance = std::min(before, chi2) / std::max(1.0, degrees_of_freedom_);
-    const double step = system_.step_in_deviations() / std::sqrt(variance);
+    const double step = system_.trial().step_in_deviations() / std::sqrt(variance);
     const bool goes_on = call_back(record) && wanted(record);
     const bool changes_bounds = system_.changes_bounds();
     ended_short_ = cut_short;

@@ -4,12 +4,12 @@
 
 #include <optional>
 
+#include "base/stopwatch.h"
+#include "boxplus/algorithm/algorithm.h"
 #include "boxplus/base/function_ref.h"
-#include "boxplus/optimize/algorithm.h"
 #include "boxplus/optimize/report.h"
-#include "optimize/batch_system.h"
 #include "optimize/run_stop.h"
-#include "optimize/stopwatch.h"
+#include "system/run_system.h"
 
 namespace boxplus {
 
@@ -31,11 +31,15 @@ inline Report::Reason reason_of(const StopToken& stop) {
   return stop.flag_raised() ? Report::Reason::kStopFlag : Report::Reason::kTimeLimit;
 }
 
+/// chi2 per unknown below which estimates fit noise-free data exactly: the errors are below 1e-10 standard
+/// deviations.
+inline constexpr double kExact = 1e-20;
+
 /// Runs an algorithm once or several times. The limits on iterations and time apply to all runs together.
 class Descent {
  public:
   /// All arguments must outlive the descent. Runs append to `records`.
-  Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options, RunStop& stop,
+  Descent(Graph& graph, RunSystem& system, Algorithm& algorithm, const Options& options, RunStop& stop,
           const Stopwatch& clock, std::vector<IterationRecord>& records);
 
   /// The following runs use this algorithm.
@@ -47,7 +51,7 @@ class Descent {
   void leave(int iterations) { left_out_ = iterations; }
 
   Graph& graph() { return graph_; }
-  BatchSystem& system() { return system_; }
+  RunSystem& system() { return system_; }
   const Options& options() const { return options_; }
   const StopToken& stop() const { return stop_.now(); }
   /// The token with the time limit, which applies to runs only after their first step.
@@ -98,7 +102,7 @@ class Descent {
   bool call_back(const IterationRecord& record);
 
   Graph& graph_;
-  BatchSystem& system_;
+  RunSystem& system_;
   Algorithm* algorithm_;
   const Options& options_;
   std::optional<Options> changed_;  // the options of the algorithm, after damp_by()

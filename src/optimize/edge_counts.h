@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "base/vector_math.h"
+#include "linearize/non_finite.h"
 #include "linearize/stiff_edge.h"
 #include "optimize/edge_counts.h"
-#include "optimize/non_finite.h"
-#include "optimize/planned_system.h"
 #include "optimize/rejection.h"
-#include "optimize/vector_math.h"
+#include "system/planned_system.h"
 
 namespace boxplus {
 namespace {
@@ -51,13 +51,14 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
 }
 
 /// Appends the vertex or the edge that caused the run to end.
-void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, BatchSystem& system,
+void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, const RunSystem& system,
                  const Report& report) {
   if (reason == Report::Reason::kNotPositiveDefinite) {
     message += ": the Hessian is singular or indefinite at " + vertex_text(graph, system.failed_vertex()) +
                "; nothing measures it in some direction";
   } else if (reason == Report::Reason::kNotFinite) {
-    message += ": " + describe_non_finite(graph, system);
+    message +=
+        ": " + describe_non_finite(graph, system.plan(), system.linearize_options(), report.chi2_final);
   } else if (reason == Report::Reason::kRejectedEdges) {
     message += ": " + rejection_text(report.rejection);
   } else if (reason == Report::Reason::kConstraints) {
@@ -89,9 +90,10 @@ void begin_report(Report& report, const Options& options) {
   report.message.reserve(kMessage);
 }
 
-void describe_problem(Report& report, const Graph& graph, const BatchSystem& system, const Options& options) {
+void describe_problem(Report& report, const Graph& graph, const RunSystem& system, const Options& options) {
   const Plan& plan = system.plan();
-  report.linear_solver = system.linear_solver().name();
+  const RunSystem::Facts facts = system.facts();
+  report.linear_solver = facts.solver;
   report.vertices = plan.structure.blocks();
   report.scalars = plan.free_scalars();
   report.eliminated = plan.eliminated_blocks;
@@ -100,8 +102,8 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
   report.rows = counts.rows;
   report.disabled_edges = counts.disabled;
   report.robust_edges = counts.robust;
-  report.linear = system.linear_solver().statistics();
-  report.workers = std::max(system.linearizer().workers(), report.linear.workers);
+  report.linear = facts.statistics;
+  report.workers = std::max(facts.workers, report.linear.workers);
   for (const detail::GaugeVertex& gauge : plan.held) report.gauge.held.push_back(gauge.id);
   report.gauge.free = plan.freedoms;
   for (const EdgeList& list : plan.edges) {
@@ -111,18 +113,18 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
   }
 }
 
-void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunResult result) {
+void finish_report(Report& report, const Graph& graph, RunSystem& system, RunResult result) {
   const double chi2 = system.chi2();
   report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   if (report.robust_edges > 0 && !system.stopped())
-    find_rejection(report.rejection, graph, system.plan(), system.linearizer().workers());
+    find_rejection(report.rejection, graph, system.plan(), system.facts().workers);
   if (result.status == Report::Status::kConverged && rejects_too_much(report.rejection)) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRejectedEdges;
   }
   report.status = result.status;
   report.reason = result.reason;
-  report.linear = system.linear_solver().statistics();
+  report.linear = system.facts().statistics;
   report.gauge.held_directions = system.held_directions();
   if (!system.gauge_is_free()) report.gauge.free.clear();
   report.degrees_of_freedom = degrees_of_freedom(report);

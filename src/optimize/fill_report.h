@@ -3,8 +3,8 @@
 #pragma once
 
 #include "boxplus/optimize/report.h"
-#include "optimize/batch_system.h"
 #include "optimize/descent.h"
+#include "system/run_system.h"
 
 namespace boxplus {
 
@@ -13,10 +13,10 @@ void begin_report(Report& report, const Options& options);
 
 /// Fills everything that is known when the plan has been made: sizes, solvers, threads, gauge, and sources of
 /// Jacobians.
-void describe_problem(Report& report, const Graph& graph, const BatchSystem& system, const Options& options);
+void describe_problem(Report& report, const Graph& graph, const RunSystem& system, const Options& options);
 
 /// Fills the result of the run and the message for people. Evaluates chi2 at the final estimates.
-void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunResult result);
+void finish_report(Report& report, const Graph& graph, RunSystem& system, RunResult result);
 
 /// Fills the result of a run that was stopped while its plan was made.
 void finish_report_without_plan(Report& report, const Stopped& stopped);

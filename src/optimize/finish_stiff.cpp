@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "algorithm/gauss_newton.h"
+#include "algorithm/roughness.h"
+#include "base/vector_math.h"
 #include "linearize/stiff_edge.h"
-#include "optimize/gauss_newton.h"
-#include "optimize/roughness.h"
-#include "optimize/vector_math.h"
 
 namespace boxplus {
 namespace {
@@ -18,8 +18,6 @@ namespace {
 constexpr double kAtMinimum = 1e-6;
 /// If it decreases chi2 by more than this fraction, further steps are worth their time.
 constexpr double kWorthSteps = 1e-9;
-/// Chi2 per unknown below which only rounding errors remain.
-constexpr double kExact = 1e-20;
 
 /// Whether stiff edges may have caused this result.
 bool may_be_stiff(const RunResult& result) {
@@ -117,7 +115,7 @@ class Finish {
   }
 
   Descent& descent_;
-  BatchSystem& system_;
+  RunSystem& system_;
   Algorithm& algorithm_;
   Estimates& memory_;
   bool is_precise_ = false;

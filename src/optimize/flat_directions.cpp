@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "optimize/vector_math.h"
+#include "base/vector_math.h"
 
 namespace boxplus {
 namespace {
@@ -27,7 +27,7 @@ bool has_flat_scalar(std::span<const double> diagonal) {
 /// vertices at the same place move apart. It differs between the scalars of a vertex, so that a vertex does
 /// not move along a diagonal: a direction that is held because its pivot vanished could otherwise be the
 /// wrong one.
-Displacement fill_step(const BatchSystem& system, std::vector<double>& step) {
+Displacement fill_step(const RunSystem& system, std::vector<double>& step) {
   constexpr double kLength = 1e-2, kGoldenRatio = 0.6180339887498949, kShrink = 0.25;
   const std::span<const double> diagonal = system.diagonal();
   const std::vector<std::uint32_t>& fixed = system.plan().fixed_scalars;
@@ -47,7 +47,7 @@ Displacement fill_step(const BatchSystem& system, std::vector<double>& step) {
 }
 
 /// Takes back the displacement of scalars that still have no Jacobians, because nothing measures them.
-void take_back_unmeasured(BatchSystem& system, std::vector<double>& step, Displacement& result) {
+void take_back_unmeasured(RunSystem& system, std::vector<double>& step, Displacement& result) {
   if (!system.linearize()) return;
   const double limit = kFlat * max_abs(system.diagonal());
   int unmeasured = 0;
@@ -65,7 +65,7 @@ void take_back_unmeasured(BatchSystem& system, std::vector<double>& step, Displa
 
 }  // namespace
 
-Displacement leave_flat_directions(BatchSystem& system, double chi2) {
+Displacement leave_flat_directions(RunSystem& system, double chi2) {
   const Displacement none{chi2, 0};
   if (!has_flat_scalar(system.diagonal()) || !system.linearize()) return none;
   std::vector<double> step(system.plan().scalars());

@@ -2,7 +2,7 @@
 // Leaves stationary points that are not minima.
 #pragma once
 
-#include "optimize/batch_system.h"
+#include "system/run_system.h"
 
 namespace boxplus {
 
@@ -16,6 +16,6 @@ struct Displacement {
 /// measured between positions that coincide, or a rotation differs from its measurement by 180°. So this
 /// function displaces all such scalars a little, and keeps the displacement if chi2 is then lower. The
 /// displacement is the same in every run.
-Displacement leave_flat_directions(BatchSystem& system, double chi2);
+Displacement leave_flat_directions(RunSystem& system, double chi2);
 
 }  // namespace boxplus

@@ -6,16 +6,15 @@
 #include <map>
 #include <utility>
 
-#include "boxplus/optimize/algorithm_table.h"
-#include "boxplus/optimize/diagnose.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/algorithm/algorithm_table.h"
+#include "boxplus/diagnose/diagnose.h"
+#include "covariance/covariance_system.h"
 #include "linearize/stiff_edge.h"
 #include "optimize/constraints.h"
-#include "optimize/covariance_system.h"
 #include "optimize/fill_report.h"
 #include "optimize/finish_stiff.h"
-#include "optimize/planned_system.h"
 #include "optimize/starts.h"
+#include "system/planned_system.h"
 
 namespace boxplus {
 namespace {
@@ -36,7 +35,6 @@ void check(const Options& options) {
   require_enumerator(options.gauge, GaugePolicy::kError, "GaugePolicy");
   require_enumerator(options.schur, SchurMode::kImplicit, "SchurMode");
   require_enumerator(options.damping, Options::DampingScale::kDiagonal, "DampingScale");
-  if (options.outliers) require_enumerator(*options.outliers, Suspects::kAll, "Suspects");
   require(options.max_iterations >= 0, "max_iterations ≥ 0");
   require(options.threads >= 0, "threads ≥ 0");
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
@@ -93,8 +91,6 @@ struct Optimizer::Impl {
   Impl(Graph& observed, Options initial)
       : graph(&observed), life(observed.life()), options(std::move(initial)) {}
 
-  /// The run of find_outliers() (Options::outliers).
-  void run_without_outliers(Report& report);
   /// Runs `custom` or, if it is null, the algorithm that the options name.
   void run(Algorithm* custom, Report& report);
   RunResult plan_and_minimize(Algorithm* custom, Report& report, RunStop& stop, const Stopwatch& clock);
@@ -127,7 +123,7 @@ Algorithm& Optimizer::Impl::chosen_algorithm() {
   if (kind == AlgorithmKind::kAutomatic) {
     // Bounds turn the path of dogleg, but not the steps of Levenberg-Marquardt, which are computed with them.
     const BatchSystem& system = planned.system();
-    const bool damps = system.plan().eliminated_blocks > 0 || !system.bounds().empty();
+    const bool damps = system.plan().eliminated_blocks > 0 || system.has_bounds();
     kind = damps ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
   }
   std::unique_ptr<Algorithm>& algorithm = algorithms[kind];
@@ -135,24 +131,10 @@ Algorithm& Optimizer::Impl::chosen_algorithm() {
   return *algorithm;
 }
 
-void Optimizer::Impl::run_without_outliers(Report& report) {
-  const Stopwatch clock;
-  OutlierReport found = find_outliers(*graph, {.options = options, .suspects = *options.outliers});
-  report = std::move(found.report);
-  report.verdicts = std::move(found.verdicts);
-  report.outlier_note = std::move(found.note);
-  report.time.total_s = clock.seconds();
-}
-
 void Optimizer::Impl::run(Algorithm* custom, Report& report) {
   const Stopwatch clock;
   checked_graph();
   check(options);
-  if (options.outliers) {
-    if (custom != nullptr)
-      throw InvalidArgument("Options::outliers: expected no custom algorithm, because many runs are made");
-    return run_without_outliers(report);
-  }
   const InUse in_use(life);
   begin_report(report, options);
   RunStop stop(options, clock.start());
@@ -238,8 +220,8 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, const Options& of_run,
   report.regularized_steps = descent.regularized_steps();
   report.precise_steps = system.precise_steps();
   report.displaced_directions = descent.displaced_directions();
-  if (!system.bounds().empty() && !system.stopped() && system.linearize())
-    system.bounds().report(*graph, system.plan(), report.active_bounds);
+  if (system.has_bounds() && !system.stopped() && system.linearize())
+    system.report_bounds(report.active_bounds);
   return result;
 }
 

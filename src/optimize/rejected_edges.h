@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "boxplus/optimize/report.h"
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

@@ -160,15 +160,6 @@ void add_kernels(Text& text, const Report& report) {
       report.robust_edges == 1 ? " has" : "s have");
 }
 
-void add_verdicts(Text& text, const Report& report) {
-  if (report.verdicts.empty()) return;
-  const auto count = [&](detail::Verdict verdict) {
-    return std::ranges::count(report.verdicts, verdict, &detail::EdgeVerdict::verdict);
-  };
-  add(text, "  {:<16}{} of {} suspects are false, {} undecided\n", "outliers",
-      count(detail::Verdict::kOutlier), report.verdicts.size(), count(detail::Verdict::kUndecided));
-}
-
 /// "vertex 3, entry 0 at its upper limit 2.5 (multiplier 0.73)"
 void add_bounds(Text& text, const std::vector<Report::ActiveBound>& bounds) {
   constexpr std::size_t kShown = 5;
@@ -202,12 +193,10 @@ void add_notes(Text& text, const Report& report) {
   add_findings(text, report);
   add_bounds(text, report.active_bounds);
   add_constraints(text, report);
-  add_verdicts(text, report);
   add_kernels(text, report);
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
-  for (const std::string_view remark :
-       {report.start_remark(), report.chi2_remark(), std::string_view(report.outlier_note)}) {
+  for (const std::string_view remark : {report.start_remark(), report.chi2_remark()}) {
     if (!remark.empty()) add(text, "  {:<16}{}\n", "note", remark);
   }
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);

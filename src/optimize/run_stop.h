@@ -3,7 +3,7 @@
 #pragma once
 
 #include "boxplus/base/stop_token.h"
-#include "boxplus/optimize/options.h"
+#include "boxplus/options/options.h"
 
 namespace boxplus {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "boxplus/optimize/options.h"
+#include "boxplus/options/options.h"
 
 namespace boxplus {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "boxplus/optimize/start_table.h"
-#include "optimize/levenberg_marquardt.h"
-#include "optimize/planned_system.h"
+#include "algorithm/levenberg_marquardt.h"
+#include "guess/start_table.h"
 #include "optimize/stuck.h"
+#include "system/planned_system.h"
 
 namespace boxplus {
 namespace {
@@ -301,14 +301,15 @@ class StartSearch {
       report_.note = "no guess was made, because it would change fixed directions of vertices";
       return false;
     }
-    if (!descent_.system().bounds().empty()) {
+    if (descent_.system().has_bounds()) {
       report_.note = "no guess was made, because it might leave the bounds of vertices";
       return false;
     }
     {
       const ScopedTimer adder(guess_seconds_);
       const GuessLimits limits{descent_.limit(), descent_.options().max_factor_bytes,
-                               resolved_threads(descent_.options()), descent_.system().elimination_order()};
+                               resolved_threads(descent_.options()),
+                               descent_.system().facts().elimination_order};
       const GuessResult guess = guess_by(start, graph(), plan(), limits);
       report_.note = guess.note;
       if (!guess.made) return false;

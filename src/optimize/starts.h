@@ -7,7 +7,7 @@
 
 #include "boxplus/optimize/report.h"
 #include "optimize/descent.h"
-#include "optimize/estimates.h"
+#include "plan/estimates.h"
 
 namespace boxplus {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

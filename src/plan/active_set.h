@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/paced_stop.h"
-#include "boxplus/plan/plan.h"
 #include "gauge/gauge.h"
 #include "plan/edge_targets.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

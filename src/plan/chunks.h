@@ -2,8 +2,8 @@
 // Divides the columns of H and the active edges into chunks.
 #pragma once
 
-#include "boxplus/plan/plan.h"
 #include "plan/active_set.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

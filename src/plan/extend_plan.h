@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

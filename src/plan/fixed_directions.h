@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
+#include "graph/graph_view.h"
 #include "testing/random_numbers.h"
 
 namespace boxplus {
@@ -18,8 +18,17 @@ class FalseClosures {
  public:
   FalseClosures(Graph& graph, const FalseClosureOptions& options)
       : graph_(graph), options_(options), random_(options.seed) {
-    list_poses();
-    list_closures();
+    const EdgeRoles role(graph);
+    for (const VertexRef& vertex : role.trajectory()) {
+      if (dynamic_cast<const detail::TypedVertexPool<Pose>*>(graph.vertex_pools()[vertex.pool].get()))
+        poses_.push_back(graph.typed<Pose>(vertex));
+    }
+    for (const EdgeRef& edge : graph.all_edges()) {
+      const detail::EdgePool* pool = graph.edge_pools()[edge.pool].get();
+      if (dynamic_cast<const detail::TypedEdgePool<Edge, Pose, Pose>*>(pool) != nullptr &&
+          role(edge) == EdgeRole::kLoopClosure)
+        closures_.push_back({edge});
+    }
   }
 
   bool finds_closures() const { return !closures_.empty(); }
@@ -38,29 +47,6 @@ class FalseClosures {
 
  private:
   using Edge = Between<Pose>;
-
-  void list_poses() {
-    for (std::uint32_t pool = 0; pool < graph_.vertex_pools().size(); ++pool) {
-      if (dynamic_cast<const detail::TypedVertexPool<Pose>*>(graph_.vertex_pools()[pool].get()) != nullptr)
-        pool_ = pool;
-    }
-    for (const VertexRef& vertex : graph_.all_vertices()) {
-      if (vertex.pool != pool_) continue;
-      rank_.emplace(vertex, poses_.size());
-      poses_.push_back(graph_.typed<Pose>(vertex));
-    }
-  }
-
-  void list_closures() {
-    for (const EdgeRef& edge : graph_.all_edges()) {
-      const detail::EdgePool* pool = graph_.edge_pools()[edge.pool].get();
-      if (dynamic_cast<const detail::TypedEdgePool<Edge, Pose, Pose>*>(pool) == nullptr) continue;
-      const std::vector<VertexRef> ends = graph_.vertices(edge);
-      if (ends[0].pool != pool_ || ends[1].pool != pool_) continue;
-      const std::size_t a = rank_.at(ends[0]), b = rank_.at(ends[1]);
-      if (std::max(a, b) - std::min(a, b) > 1) closures_.push_back({edge});
-    }
-  }
 
   void add_group(std::size_t size, std::vector<EdgeRef>& added) {
     const EdgeHandle<Edge> model = closures_[below(closures_.size())];
@@ -91,9 +77,7 @@ class FalseClosures {
   Graph& graph_;
   const FalseClosureOptions& options_;
   RandomNumbers random_;
-  std::uint32_t pool_ = 0xFFFFFFFFu;
   std::vector<VertexHandle<Pose>> poses_;  // by id
-  std::map<VertexRef, std::size_t> rank_;
   std::vector<EdgeHandle<Edge>> closures_;
 };
 

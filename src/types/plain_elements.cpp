@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimize/plain_elements.h"
+#include "covariance/plain_elements.h"
 
 #include <type_traits>
 #include <typeinfo>

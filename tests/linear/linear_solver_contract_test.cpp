@@ -9,10 +9,10 @@
 #include <limits>
 
 #include "allocation_counter.h"
-#include "boxplus/linearize/linearizer.h"
 #include "boxplus/testing/simulate_bundle.h"
 #include "linear/every_solver.h"
 #include "linear/schur/schur_solver.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 namespace {

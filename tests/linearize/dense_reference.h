@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "boxplus/linearize/linearizer.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/linearize/linearizer.h"
+#include "linearize/linearizer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 #include <random>
 #include <tuple>
 
+#include "boxplus/covariance/covariance.h"
 #include "boxplus/manifold/product.h"
-#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "boxplus/optimize/algorithm.h"
-#include "boxplus/optimize/algorithm_table.h"
+#include "boxplus/algorithm/algorithm.h"
+#include "boxplus/algorithm/algorithm_table.h"
 #include "optimize/small_graphs.h"
 
 namespace boxplus {

@@ -10,13 +10,13 @@
 #include <tuple>
 #include <vector>
 
-#include "boxplus/linearize/linearizer.h"
-#include "boxplus/optimize/initial_guess.h"
 #include "boxplus/testing/simulate.h"
 #include "fake_clock.h"
+#include "guess/initial_guess.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 #include "linear/ordering/amd_ordering.h"
 #include "linear/ordering/nested_dissection.h"
+#include "linearize/linearizer.h"
 #include "optimize/small_graphs.h"
 #include "optimize/table_entries.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "boxplus/optimize/algorithm_table.h"
-#include "boxplus/optimize/start_table.h"
+#include "boxplus/algorithm/algorithm_table.h"
+#include "guess/start_table.h"
 
 namespace boxplus {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <random>
 
-#include "boxplus/linearize/linearizer.h"
 #include "boxplus/types/slam2d.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 namespace {

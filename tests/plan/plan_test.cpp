@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which vertices and edges a plan contains, and which vertices it holds to fix the gauge. A plan holds a
 // vertex if the vertex stays at its estimate during a run although the user did not fix it.
-#include "boxplus/plan/plan.h"
+#include "plan/plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@
 #include <map>
 #include <vector>
 
-#include "boxplus/linearize/linearizer.h"
 #include "boxplus/manifold/product.h"
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/types/slam3d.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus {
 namespace {

@@ -155,8 +155,7 @@ class Viewers(unittest.TestCase):
         graph = ring()
         with view(graph) as viewer:
             self.assertNotIn("verdicts", arrays_of_frame(viewer))
-            for run, has_verdicts in ((lambda: boxplus.find_outliers(graph), True), (lambda: optimize(graph), False),
-                                      (lambda: optimize(graph, outliers="loop-closures"), True)):
+            for run, has_verdicts in ((lambda: boxplus.find_outliers(graph), True), (lambda: optimize(graph), False)):
                 run()
                 self.assertEqual("verdicts" in arrays_of_frame(viewer), has_verdicts)
 

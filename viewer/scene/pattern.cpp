@@ -8,9 +8,9 @@
 #include <span>
 
 #include "boxplus/base/error.h"
-#include "boxplus/plan/plan.h"
 #include "linear/block_cholesky/elimination_tree.h"
 #include "linear/ordering/amd_ordering.h"
+#include "plan/plan.h"
 
 namespace boxplus::viewer {
 namespace {

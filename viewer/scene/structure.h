@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "viewer/scene/edge_roles.h"
+#include "graph/graph_view.h"
 
 namespace boxplus::viewer {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "optimize/covariance_references.h"
+#include "covariance/covariance_references.h"
 
 namespace boxplus::viewer {
 namespace {

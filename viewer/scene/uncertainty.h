@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 #include "viewer/scene/structure.h"
 
 namespace boxplus::viewer {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 #include "viewer/scene/structure.h"
 
 namespace boxplus::viewer {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "boxplus/optimize/diagnose.h"
+#include "boxplus/diagnose/diagnose.h"
 #include "viewer/scene/structure.h"
 
 namespace boxplus::viewer {

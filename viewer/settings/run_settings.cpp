@@ -5,7 +5,7 @@
 
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/make_robust_kernel.h"
-#include "viewer/scene/edge_roles.h"
+#include "graph/graph_view.h"
 
 namespace boxplus::viewer {
 namespace {

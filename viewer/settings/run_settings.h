@@ -9,7 +9,8 @@
 #include <string>
 
 #include "boxplus/graph/graph.h"
-#include "boxplus/optimize/options.h"
+#include "boxplus/options/options.h"
+#include "boxplus/outliers/outliers.h"
 
 namespace boxplus::viewer {
 
@@ -22,6 +23,7 @@ struct RunSettings {
   RunSettings() { options.start = Start::kAutomatic; }
 
   Options options;
+  std::optional<Suspects> suspects;    ///< the edges that may be false, if the run is that of find_outliers()
   std::string kernel;                  ///< the name of the robust kernel; empty if edges get no kernel
   std::optional<double> kernel_width;  ///< if absent, the default for the rows of each edge
   KernelScope kernel_scope = KernelScope::kAll;

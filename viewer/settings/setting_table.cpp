@@ -10,15 +10,15 @@
 #include <limits>
 #include <utility>
 
+#include "boxplus/algorithm/algorithm_table.h"
 #include "boxplus/base/error.h"
 #include "boxplus/linear/linear_solver_table.h"
-#include "boxplus/optimize/algorithm_table.h"
-#include "boxplus/optimize/outliers.h"
-#include "boxplus/optimize/start_table.h"
+#include "boxplus/outliers/outliers.h"
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
-#include "viewer/scene/edge_roles.h"
+#include "graph/graph_view.h"
+#include "guess/start_table.h"
 #include "viewer/settings/parse_number.h"
 
 namespace boxplus::viewer {
@@ -229,7 +229,7 @@ class TableMaker {
             "there is any"),
         Choices<std::optional<Suspects>>{
             {"none", std::nullopt}, {"loop-closures", Suspects::kLoopClosures}, {"all", Suspects::kAll}},
-        [](RunSettings& settings) -> std::optional<Suspects>& { return settings.options.outliers; });
+        [](RunSettings& settings) -> std::optional<Suspects>& { return settings.suspects; });
   }
 
   void add_problem() {

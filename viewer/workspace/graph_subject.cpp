@@ -27,10 +27,6 @@ bool has_chi2(const Report& report) {
   return !is_stopped || std::isfinite(report.chi2_initial);
 }
 
-std::size_t count(const Report& report, Verdict verdict) {
-  return static_cast<std::size_t>(std::ranges::count(report.verdicts, verdict, &EdgeVerdict::verdict));
-}
-
 std::string counted(std::size_t number, const char* what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
@@ -45,8 +41,6 @@ Outcome outcome_of(const Report& report) {
                   .converged = report.converged(),
                   .chi2 = report.chi2_final,
                   .rows = report.records,
-                  .verdicts = report.verdicts,
-                  .false_edges = count(report, Verdict::kOutlier),
                   .chi2_per_degree = report.chi2_per_degree(),
                   .degrees_of_freedom = report.degrees_of_freedom};
   if (!has_chi2(report))
@@ -181,14 +175,14 @@ void GraphSubject::check(const Settings& settings) const {
 
 Outcome GraphSubject::run(const Settings& settings, Listener& listener) {
   const RunSettings chosen = run_settings(settings);
-  if (chosen.options.outliers) return search(chosen, listener);
+  if (chosen.suspects) return search(chosen, listener);
   return outcome(
       optimize(chosen, listener, [&](const IterationRecord& record) { return listener.note(record); }));
 }
 
 /// Shows the stages of a search for false edges as rows before the iterations of the last run, which begins
 /// where the search ends: often at the minimum.
-Outcome GraphSubject::search(RunSettings settings, Listener& listener) {
+Outcome GraphSubject::search(const RunSettings& settings, Listener& listener) {
   const double chi2_before = graph_->chi2();
   const auto begin = std::chrono::steady_clock::now();
   std::vector<IterationRecord> stages;
@@ -208,22 +202,27 @@ Outcome GraphSubject::search(RunSettings settings, Listener& listener) {
     record.time_s += stages.back().time_s;
     return record;
   };
-  const Report report = optimize(settings, listener, [&](const IterationRecord& record) {
+  const Options options = begin_run(settings, listener, [&](const IterationRecord& record) {
     if (std::exchange(is_searching, false)) note_search(record.chi2 + record.chi2_decrease);
     return listener.note(shifted(record));
   });
+  const OutlierReport found = find_outliers(*graph_, {.options = options, .suspects = *settings.suspects});
+  const Report& report = found.report;
+  note_verdicts(found, listener);
   Outcome result = outcome(report);
+  result.verdicts = found.verdicts;
+  result.false_edges = found.count(Verdict::kOutlier);
   if (is_searching) note_search(std::isfinite(report.chi2_initial) ? report.chi2_initial : result.chi2);
   std::ranges::transform(result.rows, result.rows.begin(), shifted);
   result.rows.insert(result.rows.begin(), stages.begin(), stages.end());
   result.stages =
       stages.size() > 1 ? std::vector<std::string>{"odometry", "search"} : std::vector<std::string>{"search"};
   if (!has_chi2(report)) return result;
-  const std::size_t undecided = count(report, Verdict::kUndecided);
+  const std::size_t undecided = found.count(Verdict::kUndecided);
   result.headline = fmt::format("{}: chi2 {:.9g} → {:.9g} without {}{}", result.status, chi2_before,
                                 result.chi2, counted(result.false_edges, "false edge"),
                                 undecided > 0 ? fmt::format(" ({} of {} undecided)", undecided,
-                                                            counted(report.verdicts.size(), "suspect"))
+                                                            counted(found.verdicts.size(), "suspect"))
                                               : "");
   result.summary = fmt::format("{}\n\nThe last run, after the search:\n{}", result.headline, result.summary);
   return result;
@@ -233,7 +232,6 @@ Outcome GraphSubject::search(RunSettings settings, Listener& listener) {
 void GraphSubject::try_odometry(const RunSettings& settings, double chi2_before, Listener& listener,
                                 std::vector<IterationRecord>& stages) {
   RunSettings guess = settings;
-  guess.options.outliers.reset();
   guess.options.start = Start::kOdometry;
   guess.options.max_iterations = 0;
   graph_->push();
@@ -257,7 +255,6 @@ Outcome GraphSubject::step(const Settings& settings, Listener& listener) {
   RunSettings one = run_settings(settings);
   one.options.start = Start::kCurrent;
   one.options.max_iterations = 1;
-  one.options.outliers.reset();  // a search for outliers has no single steps
   return outcome(
       optimize(one, listener, [&](const IterationRecord& record) { return listener.note(record); }));
 }
@@ -328,30 +325,34 @@ void GraphSubject::log_notes(Listener& listener) const {
   }
 }
 
-Report GraphSubject::optimize(const RunSettings& settings, Listener& listener, const Callback& callback) {
+/// Returns the options of a run that begins.
+Options GraphSubject::begin_run(const RunSettings& settings, Listener& listener, const Callback& callback) {
+  verdicts_ = {};
   set_kernels(settings, listener);
   Options options = settings.options;
   options.stop = &listener.stop_flag();
   options.callback = callback;
+  return options;
+}
+
+Report GraphSubject::optimize(const RunSettings& settings, Listener& listener, const Callback& callback) {
+  Options options = begin_run(settings, listener, callback);
   if (optimizer_) {
     optimizer_->set_options(std::move(options));
   } else {
     optimizer_ = std::make_unique<Optimizer>(*graph_, std::move(options));
   }
-  verdicts_ = {};
-  Report report = optimizer_->run();
-  note_verdicts(report, listener);
-  return report;
+  return optimizer_->run();
 }
 
-void GraphSubject::note_verdicts(const Report& report, Listener& listener) {
-  verdicts_ = Verdicts(report.verdicts);
-  if (!report.outlier_note.empty()) listener.log("warning", report.outlier_note);
-  if (report.verdicts.empty()) return;
+void GraphSubject::note_verdicts(const OutlierReport& found, Listener& listener) {
+  verdicts_ = Verdicts(found.verdicts);
+  if (!found.note.empty()) listener.log("warning", found.note);
+  if (found.verdicts.empty()) return;
   listener.log("info", fmt::format("{} of {} suspected edges are false, and {} are undecided; color edges by "
                                    "verdict to see them",
-                                   count(report, Verdict::kOutlier), report.verdicts.size(),
-                                   count(report, Verdict::kUndecided)));
+                                   found.count(Verdict::kOutlier), found.verdicts.size(),
+                                   found.count(Verdict::kUndecided)));
 }
 
 /// The report has no chi2 if the run was stopped before it evaluated chi2.

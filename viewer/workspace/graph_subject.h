@@ -60,14 +60,15 @@ class GraphSubject final : public Subject {
 
  private:
   using Callback = std::function<bool(const IterationRecord&)>;
+  Options begin_run(const RunSettings& settings, Listener& listener, const Callback& callback);
   Report optimize(const RunSettings& settings, Listener& listener, const Callback& callback);
-  Outcome search(RunSettings settings, Listener& listener);
+  Outcome search(const RunSettings& settings, Listener& listener);
   void try_odometry(const RunSettings& settings, double chi2_before, Listener& listener,
                     std::vector<IterationRecord>& stages);
   Outcome outcome(const Report& report) const;
   Message frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const;
   void set_kernels(const RunSettings& settings, Listener& listener);
-  void note_verdicts(const Report& report, Listener& listener);
+  void note_verdicts(const OutlierReport& found, Listener& listener);
 
   std::optional<GraphFile> own_;
   Graph* graph_;

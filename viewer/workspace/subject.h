@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
-#include "boxplus/optimize/outliers.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/outliers/outliers.h"
 #include "viewer/server/messages.h"
 #include "viewer/settings/run_settings.h"
 #include "viewer/workspace/edits.h"

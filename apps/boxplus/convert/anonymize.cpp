@@ -8,29 +8,25 @@
 
 #include "boxplus/io/field_reader.h"
 #include "boxplus/io/registry.h"
-#include "viewer/scene/edge_roles.h"
+#include "graph/graph_view.h"
 
 namespace boxplus::app {
 namespace {
 
 /// The positions of the vertices of an edge that it has measured; none if the edge stays.
-std::vector<std::size_t> measured_vertices(const Graph& graph, EdgeRef edge,
-                                           const viewer::EdgeRoles& role_of_edge) {
+std::vector<std::size_t> measured_vertices(const Graph& graph, EdgeRef edge, const EdgeRoles& role_of_edge) {
   std::vector<std::size_t> poses, landmarks, others;
   const std::vector<VertexRef> vertices = graph.vertices(edge);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (graph.vertex_pools()[vertices[i].pool]->parameter(vertices[i].slot)) continue;
-    const viewer::VertexRole role = viewer::role_of(graph, vertices[i]);
-    (role == viewer::VertexRole::kPose       ? poses
-     : role == viewer::VertexRole::kLandmark ? landmarks
-                                             : others)
-        .push_back(i);
+    const VertexRole role = role_of(graph, vertices[i]);
+    (role == VertexRole::kPose ? poses : role == VertexRole::kLandmark ? landmarks : others).push_back(i);
   }
   switch (role_of_edge(edge)) {
-    case viewer::EdgeRole::kObservation:
+    case EdgeRole::kObservation:
       if (landmarks.empty()) return others;  // lines, segments, planes
       return poses.empty() ? std::vector{landmarks.back()} : landmarks;
-    case viewer::EdgeRole::kLoopClosure:
+    case EdgeRole::kLoopClosure:
       return {poses[1]};
     default:
       return {};
@@ -75,7 +71,7 @@ std::size_t anonymize(GraphFile& file) {
   without_kept.edges = file.edges;
   const std::string text = format_graph(without_kept, {.format = "g2o"});
   const std::vector<std::string_view> lines = edge_lines(text);
-  const viewer::EdgeRoles role_of_edge(graph);
+  const EdgeRoles role_of_edge(graph);
   std::vector<GraphFile::KeptLine> kept;
   std::vector<EdgeRef> changed;
   for (std::size_t k = 0; k < file.edges.size(); ++k) {

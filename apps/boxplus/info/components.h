@@ -4,14 +4,13 @@
 
 #include <vector>
 
-#include "boxplus/plan/plan.h"
 #include "info/graph_facts.h"
+#include "plan/plan.h"
 
 namespace boxplus::app {
 
 /// Sets `facts.components` and `facts.isolated`. `plan` is the plan of an optimization with default options.
 /// Takes O(n log n) time.
-void find_components(const Graph& graph, const Plan& plan, const viewer::EdgeRoles& role_of_edge,
-                     GraphFacts& facts);
+void find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role_of_edge, GraphFacts& facts);
 
 }  // namespace boxplus::app

@@ -9,9 +9,9 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/data.h"
 #include "boxplus/io/registry.h"
-#include "boxplus/plan/plan.h"
 #include "info/components.h"
 #include "optimize/optimize_run.h"
+#include "plan/plan.h"
 
 namespace boxplus::app {
 namespace {
@@ -40,10 +40,13 @@ EdgeFacts facts_of(const Graph& graph, EdgeRef edge) {
   return facts;
 }
 
-std::map<VertexRef, std::size_t> count_degrees(const Graph& graph) {
-  std::map<VertexRef, std::size_t> degrees;
-  for (const EdgeRef& edge : graph.all_edges()) {
-    for (const VertexRef& vertex : graph.vertices(edge)) ++degrees[vertex];
+/// The number of edges of each vertex and parameter, by number.
+std::vector<std::size_t> count_degrees(const GraphView& view) {
+  std::vector<std::size_t> degrees(view.numbers(), 0);
+  for (const EdgeRef& edge : view.graph().all_edges()) {
+    view.for_each_vertex(edge.pool, edge.slot, [&](std::uint32_t pool, std::uint32_t slot, std::size_t) {
+      ++degrees[view.number(pool, slot)];
+    });
   }
   return degrees;
 }
@@ -57,14 +60,14 @@ void add_vertex(const Graph& graph, VertexRef vertex, std::size_t degree, Vertex
 }
 
 void find_vertex_types(const Graph& graph, const Plan& plan, GraphFacts& facts) {
-  const std::map<VertexRef, std::size_t> degrees = count_degrees(graph);
+  const GraphView view(graph);
+  const std::vector<std::size_t> degrees = count_degrees(view);
   std::map<std::pair<bool, std::string>, VertexTypeFacts> types;
   const auto add_all = [&](const std::vector<VertexRef>& vertices, bool parameters) {
     for (const VertexRef& vertex : vertices) {
       VertexTypeFacts& type = types[{parameters, tag_or_type(graph, vertex)}];
-      type.role = viewer::role_of(graph, vertex);
-      const auto degree = degrees.find(vertex);
-      add_vertex(graph, vertex, degree == degrees.end() ? 0 : degree->second, type);
+      type.role = role_of(graph, vertex);
+      add_vertex(graph, vertex, degrees[view.number(vertex)], type);
     }
   };
   add_all(graph.all_vertices(), false);
@@ -153,7 +156,7 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   const Plan plan = make_plan(graph, {});
   find_vertex_types(graph, plan, facts);
   find_extent(graph, facts);
-  const viewer::EdgeRoles role(graph);
+  const EdgeRoles role(graph);
   std::vector<EdgeFacts> edges;
   for (std::size_t k = 0; k < file.edges.size(); ++k) {
     edges.push_back(facts_of(graph, file.edges[k]));

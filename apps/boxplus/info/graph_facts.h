@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "boxplus/diagnose/diagnose.h"
 #include "boxplus/io/graph_file.h"
-#include "boxplus/optimize/diagnose.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
+#include "graph/graph_view.h"
 #include "optimize/report_json.h"
-#include "viewer/scene/edge_roles.h"
 
 namespace boxplus::app {
 
@@ -24,7 +24,7 @@ struct Degrees {
 
 struct VertexTypeFacts {
   std::string tag;  ///< the tag in the file, or the name of the type if it has no tag
-  viewer::VertexRole role = viewer::VertexRole::kOther;
+  VertexRole role = VertexRole::kOther;
   bool parameter = false;
   std::size_t count = 0, fixed = 0;
   std::size_t unknowns = 0;  ///< counted as by Report::scalars: without held vertices, and without vertices
@@ -78,10 +78,10 @@ struct OutlierFacts {
 struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
-  std::array<std::size_t, viewer::kEdgeRoles> roles{};  ///< the number of edges with each viewer::EdgeRole
-  std::vector<ComponentFacts> components;               ///< the components with edges, the largest first
-  std::vector<Id> isolated;                             ///< the ids of the vertices without edges
-  std::vector<EdgeFacts> worst;  ///< the edges with the largest chi2, the worst one first
+  std::array<std::size_t, kEdgeRoles> roles{};  ///< the number of edges with each EdgeRole
+  std::vector<ComponentFacts> components;       ///< the components with edges, the largest first
+  std::vector<Id> isolated;                     ///< the ids of the vertices without edges
+  std::vector<EdgeFacts> worst;                 ///< the edges with the largest chi2, the worst one first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
   bool keeps_indefinite = false;  ///< they are used as given
   std::size_t indefinite = 0;     ///< edges whose Ω is indefinite in the file

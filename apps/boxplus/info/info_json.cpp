@@ -9,11 +9,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(viewer::VertexRole role) {
+const char* name_of(VertexRole role) {
   switch (role) {
-    case viewer::VertexRole::kPose:
+    case VertexRole::kPose:
       return "pose";
-    case viewer::VertexRole::kLandmark:
+    case VertexRole::kLandmark:
       return "landmark";
     default:
       return "other";
@@ -69,12 +69,12 @@ Json components_json(const GraphFacts& facts) {
 }
 
 Json roles_json(const GraphFacts& facts) {
-  const auto count = [&](viewer::EdgeRole role) { return facts.roles[static_cast<std::size_t>(role)]; };
-  return {{"odometry", count(viewer::EdgeRole::kOdometry)},
-          {"loop_closures", count(viewer::EdgeRole::kLoopClosure)},
-          {"observations", count(viewer::EdgeRole::kObservation)},
-          {"priors", count(viewer::EdgeRole::kPrior)},
-          {"others", count(viewer::EdgeRole::kOther)}};
+  const auto count = [&](EdgeRole role) { return facts.roles[static_cast<std::size_t>(role)]; };
+  return {{"odometry", count(EdgeRole::kOdometry)},
+          {"loop_closures", count(EdgeRole::kLoopClosure)},
+          {"observations", count(EdgeRole::kObservation)},
+          {"priors", count(EdgeRole::kPrior)},
+          {"others", count(EdgeRole::kOther)}};
 }
 
 Json kernel_json(const GraphFacts& facts) {

@@ -29,7 +29,7 @@ std::string fact(const char* name, const std::string& text) {
   return fmt::format("  {:<14}{}\n", name, text);
 }
 
-std::size_t count_of(const GraphFacts& facts, viewer::VertexRole role) {
+std::size_t count_of(const GraphFacts& facts, VertexRole role) {
   std::size_t count = 0;
   for (const VertexTypeFacts& type : facts.vertex_types) {
     if (!type.parameter && type.role == role) count += type.count;
@@ -48,9 +48,9 @@ std::string with_kinds(std::size_t total, const std::vector<std::pair<std::size_
 }
 
 std::string vertices_text(const GraphFacts& facts) {
-  const std::size_t poses = count_of(facts, viewer::VertexRole::kPose);
-  const std::size_t landmarks = count_of(facts, viewer::VertexRole::kLandmark);
-  const std::size_t others = count_of(facts, viewer::VertexRole::kOther);
+  const std::size_t poses = count_of(facts, VertexRole::kPose);
+  const std::size_t landmarks = count_of(facts, VertexRole::kLandmark);
+  const std::size_t others = count_of(facts, VertexRole::kOther);
   return with_kinds(facts.vertices, {{poses, poses == 1 ? "pose" : "poses"},
                                      {landmarks, landmarks == 1 ? "landmark" : "landmarks"},
                                      {others, others == 1 ? "other" : "others"}});
@@ -58,8 +58,8 @@ std::string vertices_text(const GraphFacts& facts) {
 
 std::string edges_text(const GraphFacts& facts) {
   std::vector<std::pair<std::size_t, std::string>> kinds;
-  for (std::size_t k = 0; k < viewer::kEdgeRoles; ++k)
-    kinds.emplace_back(facts.roles[k], viewer::name_of(static_cast<viewer::EdgeRole>(k), facts.roles[k]));
+  for (std::size_t k = 0; k < kEdgeRoles; ++k)
+    kinds.emplace_back(facts.roles[k], name_of(static_cast<EdgeRole>(k), facts.roles[k]));
   return with_kinds(facts.edges, kinds);
 }
 

@@ -8,7 +8,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/registry.h"
-#include "boxplus/linearize/linearizer.h"
+#include "linearize/linearizer.h"
 
 namespace boxplus::app {
 namespace {

@@ -180,7 +180,7 @@ CLI::Option* add_suspects_option(CLI::App& command, std::optional<Suspects>& sus
   const auto set = [&suspects, &setting](const std::string& text) {
     viewer::RunSettings scratch;
     setting.set(scratch, text);
-    suspects = scratch.options.outliers;
+    suspects = scratch.suspects;
   };
   return command.add_option_function<std::string>("--outliers", set, help)
       ->check(CLI::IsMember(setting.words))

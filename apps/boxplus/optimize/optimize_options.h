@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 #include "boxplus/types/ba/bundle_parts.h"
 #include "command_line/id_ranges.h"
 #include "view/serving.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "boxplus/base/error.h"
-#include "boxplus/optimize/diagnose.h"
+#include "boxplus/diagnose/diagnose.h"
 #include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
 #include "optimize/interrupt.h"

@@ -2,8 +2,8 @@
 // The work of `boxplus optimize` after reading the graph and before writing the result.
 #pragma once
 
-#include "boxplus/optimize/certificate.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/certify/certificate.h"
+#include "boxplus/outliers/outliers.h"
 #include "optimize/optimize_options.h"
 #include "optimize/progress.h"
 #include "view/live_view.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 
 namespace boxplus::app {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "boxplus/optimize/options.h"
+#include "boxplus/options/options.h"
 
 namespace boxplus::app {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "boxplus/diagnose/diagnose.h"
 #include "boxplus/linear/instruction_set.h"
-#include "boxplus/optimize/diagnose.h"
 #include "optimize/outlier_search.h"
 
 namespace boxplus::app {

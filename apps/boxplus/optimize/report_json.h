@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "boxplus/optimize/certificate.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/certify/certificate.h"
+#include "boxplus/outliers/outliers.h"
 #include "viewer/settings/run_settings.h"
 
 namespace boxplus::app {

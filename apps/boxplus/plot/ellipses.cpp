@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/symmetric_eigen.h"
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 #include "plot/colors.h"
 #include "viewer/scene/uncertainty.h"
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "graph/graph_view.h"
+
 namespace boxplus::app {
 namespace {
 
@@ -25,7 +27,7 @@ bool is_near(const Spot& spot) {
 class SceneMaker {
  public:
   SceneMaker(const Graph& graph, const View& view, const TruePlaces& truth)
-      : graph_(graph), view_(view), truth_(truth) {}
+      : graph_(graph), role_(graph), view_(view), truth_(truth) {}
 
   Scene make() {
     for (const auto& pool : graph_.vertex_pools()) places_.emplace_back(pool->slots());
@@ -67,21 +69,22 @@ class SceneMaker {
     if (kernel && scene_.kernel.empty()) scene_.kernel = kernel->name();
     const double chi2 = graph_.chi2(edge), robust_chi2 = kernel ? (*kernel)(chi2).value : chi2;
     const double chi2_per_row = robust_chi2 / std::max(1, graph_.information(edge).rows);
+    const EdgeRole role = role_(edge);
+    const SegmentKind kind = role == EdgeRole::kOdometry      ? SegmentKind::kTrajectory
+                             : role == EdgeRole::kLoopClosure ? SegmentKind::kLoopClosure
+                                                              : SegmentKind::kObservation;
     const Place* first = nullptr;
     for (const VertexRef& vertex : graph_.vertices(edge)) {
       const Place& place = place_of(vertex);
       if (!place.is_known) continue;
-      if (first) join(*first, place, chi2_per_row);
+      if (first) join(*first, place, kind, chi2_per_row);
       if (!first) first = &place;
     }
   }
 
-  void join(const Place& a, const Place& b, double chi2_per_row) {
-    const std::size_t later = std::max(a.order, b.order), gap = later - std::min(a.order, b.order);
-    const SegmentKind kind = !(a.is_pose && b.is_pose) ? SegmentKind::kObservation
-                             : gap == 1                ? SegmentKind::kTrajectory
-                                                       : SegmentKind::kLoopClosure;
-    if (kind == SegmentKind::kTrajectory) {
+  void join(const Place& a, const Place& b, SegmentKind kind, double chi2_per_row) {
+    const std::size_t later = std::max(a.order, b.order);
+    if (kind == SegmentKind::kTrajectory && a.is_pose && b.is_pose) {
       poses_[a.order].is_passed = poses_[b.order].is_passed = true;
       join_truth(a, b, time(later));
     }
@@ -132,6 +135,7 @@ class SceneMaker {
   };
 
   const Graph& graph_;
+  EdgeRoles role_;
   const View& view_;
   const TruePlaces& truth_;
   Scene scene_;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 #include "boxplus/optimize/report.h"
 
 namespace boxplus {

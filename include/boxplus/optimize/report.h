@@ -9,10 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "boxplus/diagnose/finding.h"
 #include "boxplus/graph/jacobian_source.h"
 #include "boxplus/linear/linear_statistics.h"
-#include "boxplus/optimize/finding.h"
-#include "boxplus/optimize/options.h"
+#include "boxplus/options/options.h"
+#include "boxplus/system/active_bound.h"
+#include "boxplus/system/timings.h"
 
 namespace boxplus {
 
@@ -93,17 +95,7 @@ struct [[nodiscard]] Report {
     std::vector<Id> cut_off;
   };
 
-  /// An entry of an estimate that is at one of its limits (Graph::set_bounds()) at the end of the run,
-  /// although chi2 would be lower beyond the limit.
-  struct ActiveBound {
-    VertexRef vertex;
-    Id id = 0;  ///< of the vertex
-    int entry = 0;
-    bool is_upper = false;
-    double limit = 0;
-    /// The decrease of F per unit by which the limit is loosened, to first order; positive.
-    double multiplier = 0;
-  };
+  using ActiveBound = detail::ActiveBound;
 
   /// A constraint (types/constraint.h) at the end of the run. If λ are the multipliers and c is the error of
   /// all constraints, the gradient of F + λᵀc vanishes at the result.
@@ -118,10 +110,7 @@ struct [[nodiscard]] Report {
     detail::JacobianSource source;
   };
 
-  struct Timings {
-    double plan_s = 0, start_s = 0, linearize_s = 0, factorize_s = 0, solve_s = 0, evaluate_s = 0,
-           total_s = 0;
-  };
+  using Timings = detail::Timings;
 
   Status status = Status::kNotConverged;
   Reason reason = Reason::kMaxIterations;
@@ -142,11 +131,6 @@ struct [[nodiscard]] Report {
   std::vector<ConstraintResult> constraints;
   double constraint_violation = 0;  ///< the largest |error| of these constraints
   int constraint_rounds = 0;        ///< the number of runs; 0 if there are no constraints
-  /// If Options::outliers is set: a verdict for each suspect, in the order of Graph::all_edges(), and one
-  /// sentence about a limitation of the search, or empty. All other facts are about the final run, in which
-  /// only the accepted edges take part.
-  std::vector<detail::EdgeVerdict> verdicts;
-  std::string outlier_note;
   /// Says why the run failed, as diagnose() does at the final estimates, within the time limit. Empty unless
   /// no step could be computed, no step was found, or the result needs edges that were rejected or whose
   /// weights are lost.

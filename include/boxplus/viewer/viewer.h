@@ -6,8 +6,8 @@
 #include <string>
 
 #include "boxplus/graph/graph.h"
-#include "boxplus/optimize/options.h"
 #include "boxplus/optimize/report.h"
+#include "boxplus/options/options.h"
 
 namespace boxplus {
 

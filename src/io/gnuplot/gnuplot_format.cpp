@@ -8,12 +8,11 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/quaternion.h"
+#include "graph/graph_view.h"
 #include "io/text_pieces.h"
 
 namespace boxplus {
 namespace {
-
-enum class Role : std::uint8_t { kOdometry, kClosure, kObservation };
 
 constexpr std::string_view kTitle = "# gnuplot data of a graph, written by boxplus";
 
@@ -31,7 +30,7 @@ std::optional<detail::Frame> frame_of(const Graph& graph, VertexRef vertex) {
 class GnuplotWriter {
  public:
   GnuplotWriter(const Graph& graph, TextSink sink)
-      : graph_(graph), out_(sink), vertices_(graph.all_vertices()), edges_(graph.all_edges()) {
+      : graph_(graph), role_(graph), out_(sink), vertices_(graph.all_vertices()), edges_(graph.all_edges()) {
     for (const VertexRef& vertex : vertices_) {
       if (const auto frame = frame_of(graph_, vertex)) dimension_ = std::max(dimension_, frame->dimension);
     }
@@ -48,19 +47,14 @@ class GnuplotWriter {
     out_.add("# plot FILE index 'odometry' using 1:2 with lines, '' index 'points' using 2:3 with points\n");
     add_vertices("poses", true);
     add_vertices("points", false);
-    add_edges("odometry", Role::kOdometry);
-    add_edges("closures", Role::kClosure);
-    add_edges("observations", Role::kObservation);
+    add_edges("odometry", [](EdgeRole role) { return role == EdgeRole::kOdometry; });
+    add_edges("closures", [](EdgeRole role) { return role == EdgeRole::kLoopClosure; });
+    add_edges("observations",
+              [](EdgeRole role) { return role != EdgeRole::kOdometry && role != EdgeRole::kLoopClosure; });
     out_.flush();
   }
 
  private:
-  /// A vertex of an edge.
-  struct End {
-    Id id;
-    detail::Frame frame;
-  };
-
   /// Two blank lines end the data set before this one.
   void begin(const char* name) { out_.add("\n\n# {}\n", name); }
 
@@ -96,39 +90,34 @@ class GnuplotWriter {
     out_.add(" {} {} {} {}", q.x, q.y, q.z, q.w);
   }
 
-  /// The vertices of an edge that have a position.
-  std::vector<End> ends_of(EdgeRef edge) const {
-    std::vector<End> ends;
+  /// The frames of the vertices of an edge that have a position.
+  std::vector<detail::Frame> ends_of(EdgeRef edge) const {
+    std::vector<detail::Frame> ends;
     for (const VertexRef& vertex : graph_.vertices(edge)) {
-      if (const auto frame = frame_of(graph_, vertex)) ends.push_back({graph_.id(vertex), *frame});
+      if (const auto frame = frame_of(graph_, vertex)) ends.push_back(*frame);
     }
     return ends;
   }
 
-  static Role role_of(const std::vector<End>& ends) {
-    if (ends.size() != 2 || !ends[0].frame.has_rotation || !ends[1].frame.has_rotation)
-      return Role::kObservation;
-    const Id step = ends[1].id - ends[0].id;
-    return step == 1 || step == -1 ? Role::kOdometry : Role::kClosure;
-  }
-
-  void add_edges(const char* name, Role role) {
+  void add_edges(const char* name, bool (*has_role)(EdgeRole)) {
     bool is_first = true;
     for (const EdgeRef& edge : edges_) {
-      const std::vector<End> ends = ends_of(edge);
-      if (ends.size() < 2 || role_of(ends) != role) continue;
+      if (!has_role(role_(edge))) continue;
+      const std::vector<detail::Frame> ends = ends_of(edge);
+      if (ends.size() < 2) continue;
       if (is_first) begin(name);
       is_first = false;
       for (std::size_t k = 1; k < ends.size(); ++k) {
-        add_position(ends[0].frame);
+        add_position(ends[0]);
         out_.add("\n");
-        add_position(ends[k].frame);
+        add_position(ends[k]);
         out_.add("\n\n");
       }
     }
   }
 
   const Graph& graph_;
+  EdgeRoles role_;
   TextPieces out_;
   std::vector<VertexRef> vertices_;
   std::vector<EdgeRef> edges_;

@@ -9,8 +9,8 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/base/parallel.h"
+#include "boxplus/covariance/covariance.h"
 #include "boxplus/manifold/convert_to.h"
-#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 
 /// A vertex type whose layout depends on the alignment that Eigen uses.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // On public graphs, covariance() of the engine (boxplus without the g2o API) and computeMarginals() of the
 // g2o API return the same covariances.
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 
 #include <gtest/gtest.h>
 

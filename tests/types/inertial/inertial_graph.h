@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/simulate_inertial.h"
 #include "boxplus/types/ba.h"

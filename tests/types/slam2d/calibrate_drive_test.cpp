@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
-#include "boxplus/optimize/covariance.h"
+#include "boxplus/covariance/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/types/slam2d.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "boxplus/base/error.h"
-#include "boxplus/optimize/outliers.h"
+#include "boxplus/outliers/outliers.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -47,9 +47,9 @@ TEST(SettingTable, HasTheDefaultsOfARun) {
 }
 
 TEST(SettingTable, ChoosesTheEdgesThatMayBeFalse) {
-  EXPECT_EQ(run_settings({{"outliers", "all"}}).options.outliers, Suspects::kAll);
-  EXPECT_EQ(run_settings({{"outliers", "loop-closures"}}).options.outliers, Suspects::kLoopClosures);
-  EXPECT_EQ(run_settings({{"outliers", "none"}}).options.outliers, std::nullopt);
+  EXPECT_EQ(run_settings({{"outliers", "all"}}).suspects, Suspects::kAll);
+  EXPECT_EQ(run_settings({{"outliers", "loop-closures"}}).suspects, Suspects::kLoopClosures);
+  EXPECT_EQ(run_settings({{"outliers", "none"}}).suspects, std::nullopt);
 }
 
 TEST(SettingTable, RefusesValuesWithAReason) {
