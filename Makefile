@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 600
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize sanitize-changes tidy tidy-changes format check fuzz page page-check ci ci-full install packages clean
+.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize sanitize-changes tidy tidy-changes format check house fuzz page page-check ci ci-full install packages clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -90,6 +90,9 @@ check: ## checks the format, the direction of includes, the tests of the guarant
 	@scripts/check_sources.py
 	@scripts/check_guarantees.py
 	@scripts/count_words.py --check
+
+house: ## measures the sources: lengths of files and functions, circles of includes, types, literals, casts
+	@scripts/house.py
 
 fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (600) each
 	@cmake --preset sanitize

@@ -33,15 +33,9 @@ def below(folders):
     return known
 
 
-def folders_of_suite(root, suite):
+def folders_of_suite(includes, suite):
     """The folders of the library on which the sources of a suite depend."""
-    used = {suite}
-    for file in (root / "tests" / suite).rglob("*"):
-        if file.suffix not in (".h", ".cpp"):
-            continue
-        for quote, name in check_includes.INCLUDE.findall(file.read_text(encoding="utf-8")):
-            target = check_includes.target_of_include(root, file.relative_to(root), quote, name)
-            used |= {target[0]} if target else set()
+    used = {suite, *(check_includes.row_of(include.target) for include in includes)}
     return set(check_includes.ALLOWED) if "boxplus.h" in used else below(used)
 
 
@@ -59,10 +53,15 @@ def touched(root, changed):
             tests.add(parts[1] if parts[0] == "tests" and len(parts) > 2 else parts[0])
     if everything or "tests" in tests:
         return [*CORE, G2O]
-    # Tests of one folder may use headers of another one.
-    suites = [suite for suite in CORE if suite in tests or folders & folders_of_suite(root, suite) or
-              any(f'"{test}/' in file.read_text(encoding="utf-8")
-                  for test in tests for file in (root / "tests" / suite).rglob("*.cpp"))]
+    texts = check_includes.read_sources(root, ("include", "src", "tests"))
+    includes = list(check_includes.includes_of(texts))
+    suites = []
+    for suite in CORE:
+        own = [include for include in includes if include.file.startswith(f"tests/{suite}/")]
+        # Tests of one folder may use headers of another one.
+        used_tests = {include.target.split("/")[1] for include in own if include.target.startswith("tests/")}
+        if tests & {suite, *used_tests} or folders & folders_of_suite(own, suite):
+            suites.append(suite)
     return suites + [G2O] * bool(folders or "g2o" in tests)
 
 

@@ -1,16 +1,25 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that folders include only lower folders, that subfolders of src include each other in one direction, and that
-public headers include no private headers.
+"""Checks that folders include only lower folders, that no includes form a circle, and that public headers include no
+private headers.
 
-    check_includes.py [ROOT]
+    check_includes.py [--circles] [ROOT]
 
-Reads all C++ files below ROOT, which is the project by default. Checks each #include of a public header
-("boxplus/<folder>/...") or of a private header ("<folder>/..."). Prints file:line of each include that the table
-ALLOWED does not permit. The public headers of the g2o API must not include boxplus/ at all, because they are
-C++17.
+Reads all C++ files below ROOT, which is the project by default. Checks each #include that finds a file of the
+project: first next to the including file and in the folders above it, then in SEARCHED. Prints file:line of each
+include that the table ALLOWED does not permit. The public headers of the g2o API must not include boxplus/ at all,
+because they are C++17.
+
+A unit is a header with its source: include/boxplus/a/b.h, src/a/b.h and src/a/b.cpp are the unit a/b, and
+g2o/include/g2o/a/b.h and g2o/src/a/b.cpp are the unit g2o/a/b. Units must not include each other in a circle. The
+children of a folder are its subfolders, each with all that is in them, and the units directly in it. They must not
+include each other in a circle, either. The table CIRCLES contains the exceptions. With --circles, prints all circles
+with their includes instead.
 """
 
+import collections
+import math
+import os
 import pathlib
 import re
 import sys
@@ -53,96 +62,183 @@ MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
 PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "python", "tests", "viewer")
 PUBLIC_ONLY = ("examples", "fuzz", "python")
 for folder in PROGRAMS:
-    MAY_INCLUDE[folder] = set(ALLOWED) | {"boxplus.h"}
+    MAY_INCLUDE[folder] = {*ALLOWED, "boxplus.h", *PROGRAMS}
+PUBLIC, PRIVATE = ("include/", "g2o/include/"), ("src/", "g2o/src/")
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+# The circles that may exist, each with its reason. The name of a subfolder ends with a slash. A circle of more than
+# three members has the name of the first one, and the number of the others.
+CIRCLES = {
+    "apps/boxplus/files/graph_input apps/boxplus/files/outputs": "to be cut",
+    "apps/boxplus/info/components apps/boxplus/info/graph_facts": "to be cut",
+    "apps/boxplus/optimize/ apps/boxplus/view/": "to be cut",
+    "apps/g2o_programs/growing/ apps/g2o_programs/protocol/": "to be cut",
+    "g2o/core/ g2o/engine/": "to be cut",
+    "g2o/core/base_edge and 16 more":
+        "In g2o, a graph owns caches and actions that refer to it, and clients rely on the includes of its headers.",
+    "g2o/core/block_solver g2o/core/solver": "to be cut",
+    "g2o/core/robust_kernel g2o/core/robust_kernel_factory g2o/core/robust_kernel_impl": "to be cut",
+    "g2o/types/cameras g2o/types/slam3d/": "to be cut",
+    "g2o/types/slam3d/isometry3d_mappings g2o/types/slam3d/se3quat": "to be cut",
+    "g2o/types/slam3d/parameter_camera g2o/types/slam3d/parameter_stereo_camera": "to be cut",
+    "graph/graph graph/incidence":
+        "The index of the edges of a vertex is a private part of Graph, in a file of its own.",
+    "io/data and 23 more": "to be cut",
+    "io/file_fields io/image_fields": "to be cut",
+    "io/file_format and 7 more": "to be cut",
+    "io/model/model_graph io/model/pose_places": "to be cut",
+    "linear/block_cholesky/factor_memory and 3 more":
+        "The analysis makes a SymbolicFactor by functions that each fill a part of it.",
+    "linear/block_cholesky/numeric_factor linear/block_cholesky/triangular_solve":
+        "The factorization solves with its factor to judge a lost pivot, and the solvers read its memory.",
+    "optimize/covariance optimize/covariance_references optimize/covariance_system": "to be cut",
+    "optimize/diagnose/camera_views optimize/diagnose/evidence": "to be cut",
+    "optimize/outcome optimize/roughness": "to be cut",
+    "plan/active_set and 4 more": "make_plan() makes a Plan by functions that each fill a part of it.",
+    "python/src/edge_kind python/src/edge_kinds": "to be cut",
+    "python/src/vertex_kind python/src/vertex_kinds": "to be cut",
+    "testing/bundle_scene testing/simulate_bundle testing/survey": "to be cut",
+    "testing/simulate testing/worlds": "to be cut",
+    "tests/g2o/core/ tests/g2o/types/": "to be cut",
+    "types/ba types/ba/": "to be cut",
+    "types/ba/reprojection types/ba/reprojection_lanes":
+        "Every pool of these edges must find the kernels in the library, which are declared for these edges.",
+    "viewer/server/ viewer/workspace/": "to be cut",
+}
+
+SEARCHED = ("include", "src", "g2o/include", "g2o/src", "apps/boxplus", "apps/g2o_programs")
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
+BEFORE_UNIT = re.compile(r"(?:include/boxplus|src|(g2o/)(?:include/g2o|src))/")
+
+# An include of a file of the project. `file` and `target` are relative to the root, and `name` is as it is written.
+Include = collections.namedtuple("Include", "file line name target")
 
 
-def folder_of_file(path):
-    """The name of the row in ALLOWED for a file, whose path is relative to the root."""
-    parts = path.parts
-    if parts[0] in PROGRAMS:
-        return parts[0]
-    inside = parts[2:] if parts[0] == "include" else parts[1:]
-    return inside[0] if inside else None
+def read_sources(root, folders=("include", "src", *PROGRAMS)):
+    """The texts of the C++ files in these folders, by their paths relative to the root, sorted."""
+    texts = {}
+    for folder in folders:
+        for parent, subfolders, names in os.walk(root / folder):
+            subfolders[:] = [name for name in subfolders if name != "node_modules"]
+            for name in names:
+                if name.endswith((".h", ".hpp", ".cpp", ".cc")):
+                    path = pathlib.Path(parent, name)
+                    texts[path.relative_to(root).as_posix()] = path.read_text(encoding="utf-8")
+    return dict(sorted(texts.items()))
 
 
-def target_of_include(root, path, quote, name):
-    """(folder, is_private) of an included file of the project, or None for any other file."""
-    parts = pathlib.PurePosixPath(name).parts
-    if parts[0] == "boxplus":
-        return parts[1], False
-    if quote == '"':
-        # The path is relative to src/ (such as "graph/x.h") or to the folder of the including file.
-        for base in (root / "src", (root / path).parent):
-            file = (base / name).resolve()
-            if file.is_file() and file.is_relative_to((root / "src").resolve()):
-                return file.relative_to((root / "src").resolve()).parts[0], True
-    return None
-
-
-def violations(root):
-    files = (p for top in ("include", "src", *PROGRAMS) for p in (root / top).rglob("*"))
-    for file in sorted(f for f in files if f.suffix in (".h", ".hpp", ".cpp", ".cc")):
-        path = file.relative_to(root)
-        folder = folder_of_file(path)
-        text = file.read_text(encoding="utf-8")
-        if folder not in MAY_INCLUDE:
-            yield f"{path}:1: folder '{folder}' has no row in the table of scripts/check_includes.py"
-            continue
+def includes_of(texts):
+    """All includes of files in `texts` by files in `texts`."""
+    for file, text in texts.items():
+        above = [file[:slash.start()] for slash in re.finditer("/", file)][::-1] + [""]
         for match in INCLUDE.finditer(text):
-            target = target_of_include(root, path, *match.groups())
-            if target is None:
-                continue
-            where = f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}"
-            to, private = target
-            if to not in MAY_INCLUDE[folder]:
-                yield f"{where}: {folder} must not include {to} ({match.group(2)})"
-            if private and path.parts[0] == "include":
-                yield f"{where}: a public header must not include a private one ({match.group(2)})"
-            if private and folder in PUBLIC_ONLY:
-                yield f"{where}: {folder}/ must not include a private header ({match.group(2)})"
+            quote, name = match.groups()
+            places = (*above, *SEARCHED) if quote == '"' else SEARCHED
+            paths = (os.path.normpath(os.path.join(place, name)) for place in places)
+            if target := next((path for path in paths if path in texts), None):
+                yield Include(file, text.count("\n", 0, match.start(1)) + 1, name, target)
 
 
-def circles(root):
-    """Circles among the subfolders of a folder of src, such as io/bal and io/colmap."""
-    includes = {}  # subfolder -> {other subfolder of the same folder: where}
-    for file in sorted((root / "src").rglob("*")):
-        parts = file.relative_to(root / "src").parts
-        if file.suffix not in (".h", ".cpp") or len(parts) < 3:
-            continue
-        text = file.read_text(encoding="utf-8")
-        for match in INCLUDE.finditer(text):
-            other = pathlib.PurePosixPath(match.group(2)).parts
-            if match.group(1) == '"' and len(other) > 2 and other[0] == parts[0] and other[1] != parts[1]:
-                line = text.count("\n", 0, match.start(1)) + 1
-                where = f"{file.relative_to(root)}:{line}"
-                includes.setdefault(parts[:2], {}).setdefault(other[:2], where)
-
-    def reaches(start, end, seen):
-        if start == end:
-            return True
-        seen.add(start)
-        return any(reaches(next_, end, seen) for next_ in includes.get(start, {}) if next_ not in seen)
-
-    for folder, others in includes.items():
-        for other, where in others.items():
-            if reaches(other, folder, set()):
-                yield f"{where}: {'/'.join(folder)} and {'/'.join(other)} include each other"
+def row_of(file):
+    """The name of the row in MAY_INCLUDE for a file: "graph", "boxplus.h", "apps"."""
+    parts = file.split("/")
+    return parts[2] if parts[0] == "include" else parts[1] if parts[0] == "src" else parts[0]
 
 
-def violations_of_g2o(root):
-    for file in sorted((root / "g2o" / "include").rglob("*.h*")):
-        text = file.read_text(encoding="utf-8")
-        for match in INCLUDE.finditer(text):
-            if match.group(2).startswith("boxplus/"):
-                line = text.count("\n", 0, match.start(1)) + 1
-                yield f"{file.relative_to(root)}:{line}: the g2o API must not include boxplus ({match.group(2)})"
+def violations(texts, includes):
+    for file in texts:
+        if row_of(file) not in MAY_INCLUDE:
+            yield f"{file}:1: folder '{row_of(file)}' has no row in the table of scripts/check_includes.py"
+    for file, line, name, target in includes:
+        row, to = row_of(file), row_of(target)
+        if to not in MAY_INCLUDE.get(row, (to,)):
+            yield f"{file}:{line}: {row} must not include {to} ({name})"
+        if file.startswith(PUBLIC) and not target.startswith(PUBLIC):
+            yield f"{file}:{line}: a public header must not include a private one ({name})"
+        if file.startswith("g2o/include/") and target.startswith("include/"):
+            yield f"{file}:{line}: the g2o API must not include boxplus ({name})"
+        if row in PUBLIC_ONLY and target.startswith(PRIVATE):
+            yield f"{file}:{line}: {row}/ must not include a private header ({name})"
+
+
+def unit_of(file):
+    tree = BEFORE_UNIT.match(file)
+    return ((tree[1] or "") + file[tree.end():] if tree else file).rsplit(".", 1)[0]
+
+
+def children_of_common_folder(*units):
+    """The children of the lowest folder that contains both units: a/x and a/b/c are in the children a/x and a/b/."""
+    paths = [re.findall("[^/]+/?", unit) for unit in units]
+    depth = len(os.path.commonprefix(paths)) + 1
+    return tuple("".join(path[:depth]) for path in paths)
+
+
+def components(graph):
+    """The strongly connected components with more than one node, each sorted (Tarjan 1972)."""
+    number, lowest, stack, found = {}, {}, [], []
+
+    def visit(node):
+        number[node] = lowest[node] = len(number)
+        stack.append(node)
+        for other in graph.get(node, ()):
+            if other not in number:
+                visit(other)
+            lowest[node] = min(lowest[node], lowest[other])
+        if lowest[node] == number[node]:
+            members = [stack.pop()]
+            while members[-1] != node:
+                members.append(stack.pop())
+            lowest.update(dict.fromkeys(members, math.inf))  # their component is complete
+            if len(members) > 1:
+                found.append(sorted(members))
+
+    sys.setrecursionlimit(10_000)
+    for node in graph:
+        if node not in number:
+            visit(node)
+    return found
+
+
+def circles_of(includes):
+    """The circles of units, and of children of a folder: {name: includes between its members}."""
+    of_units, of_children = {}, {}  # node -> {other node: includes}
+    for include in includes:
+        units = unit_of(include.file), unit_of(include.target)
+        if units[0] != units[1]:
+            for graph, (node, other) in ((of_units, units), (of_children, children_of_common_folder(*units))):
+                graph.setdefault(node, {}).setdefault(other, []).append(include)
+    circles = {}
+    for graph in of_units, of_children:
+        for members in components(graph):
+            if graph is of_units or any(member.endswith("/") for member in members):
+                name = " ".join(members) if len(members) < 4 else f"{members[0]} and {len(members) - 1} more"
+                circles[name] = [include for node in members for other, between in graph[node].items()
+                                 if other in members for include in between]
+    return dict(sorted(circles.items()))
+
+
+def differences(circles, allowed):
+    for name in circles.keys() - allowed.keys():
+        file, line, *_ = circles[name][0]
+        yield f"{file}:{line}: a circle of includes: {name} (--circles prints them all)"
+    for name in allowed.keys() - circles.keys():
+        yield f"scripts/check_includes.py:1: the table CIRCLES has a circle that does not exist: {name}"
+
+
+def problems(root, allowed_circles):
+    """All that the script reports about the files below `root`."""
+    texts = read_sources(root)
+    includes = list(includes_of(texts))
+    return [*violations(texts, includes), *sorted(differences(circles_of(includes), allowed_circles))]
 
 
 def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
-    found = [*violations(root), *circles(root), *violations_of_g2o(root)]
+    arguments = [argument for argument in sys.argv[1:] if argument != "--circles"]
+    root = pathlib.Path(arguments[0] if arguments else pathlib.Path(__file__).parent.parent).resolve()
+    if "--circles" in sys.argv:
+        for name, includes in circles_of(includes_of(read_sources(root))).items():
+            print(name, *(f"    {i.file}:{i.line}: {i.target}" for i in includes), sep="\n")
+        return 0
+    found = problems(root, CIRCLES)
     print(*found, sep="\n", end="\n" if found else "")
     return 1 if found else 0
 
