@@ -68,41 +68,16 @@ PUBLIC, PRIVATE = ("include/", "g2o/include/"), ("src/", "g2o/src/")
 # The circles that may exist, each with its reason. The name of a subfolder ends with a slash. A circle of more than
 # three members has the name of the first one, and the number of the others.
 CIRCLES = {
-    "apps/boxplus/files/graph_input apps/boxplus/files/outputs": "to be cut",
-    "apps/boxplus/info/components apps/boxplus/info/graph_facts": "to be cut",
-    "apps/boxplus/optimize/ apps/boxplus/view/": "to be cut",
-    "apps/g2o_programs/growing/ apps/g2o_programs/protocol/": "to be cut",
     "g2o/core/ g2o/engine/": "to be cut",
     "g2o/core/base_edge and 16 more":
         "In g2o, a graph owns caches and actions that refer to it, and clients rely on the includes of its headers.",
-    "g2o/core/block_solver g2o/core/solver": "to be cut",
-    "g2o/core/robust_kernel g2o/core/robust_kernel_factory g2o/core/robust_kernel_impl": "to be cut",
     "g2o/types/cameras g2o/types/slam3d/": "to be cut",
     "g2o/types/slam3d/isometry3d_mappings g2o/types/slam3d/se3quat": "to be cut",
     "g2o/types/slam3d/parameter_camera g2o/types/slam3d/parameter_stereo_camera": "to be cut",
     "graph/graph graph/incidence":
         "The index of the edges of a vertex is a private part of Graph, in a file of its own.",
-    "io/data and 23 more": "to be cut",
-    "io/file_fields io/image_fields": "to be cut",
-    "io/file_format and 7 more": "to be cut",
-    "io/model/model_graph io/model/pose_places": "to be cut",
-    "linear/block_cholesky/factor_memory and 3 more":
-        "The analysis makes a SymbolicFactor by functions that each fill a part of it.",
-    "linear/block_cholesky/numeric_factor linear/block_cholesky/triangular_solve":
-        "The factorization solves with its factor to judge a lost pivot, and the solvers read its memory.",
-    "optimize/covariance optimize/covariance_references optimize/covariance_system": "to be cut",
-    "optimize/diagnose/camera_views optimize/diagnose/evidence": "to be cut",
-    "optimize/outcome optimize/roughness": "to be cut",
-    "plan/active_set and 4 more": "make_plan() makes a Plan by functions that each fill a part of it.",
-    "python/src/edge_kind python/src/edge_kinds": "to be cut",
-    "python/src/vertex_kind python/src/vertex_kinds": "to be cut",
-    "testing/bundle_scene testing/simulate_bundle testing/survey": "to be cut",
-    "testing/simulate testing/worlds": "to be cut",
-    "tests/g2o/core/ tests/g2o/types/": "to be cut",
-    "types/ba types/ba/": "to be cut",
     "types/ba/reprojection types/ba/reprojection_lanes":
         "Every pool of these edges must find the kernels in the library, which are declared for these edges.",
-    "viewer/server/ viewer/workspace/": "to be cut",
 }
 
 SEARCHED = ("include", "src", "g2o/include", "g2o/src", "apps/boxplus", "apps/g2o_programs")

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "common/program.h"
+#include "files/interrupt.h"
 #include "growing/graph_feed.h"
 #include "growing/growing_run.h"
-#include "optimize/interrupt.h"
 
 namespace boxplus::programs {
 namespace {

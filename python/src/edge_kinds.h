@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A table of the edge types that Python knows. A family is a Python class, such as Between; it has a kind for
-// each list of vertex types. To add a kind, write a row in edge_kinds.cpp.
+// each list of vertex types. To add a kind, write a row in edge_kind_table.cpp.
 #pragma once
 
 #include <cstdint>

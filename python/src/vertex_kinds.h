@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A table of the vertex types that Python knows. To add one, write Value<T> (values.h) and a row in
-// vertex_kinds.cpp, and its class in bind_manifold.cpp or in a file of its own.
+// vertex_kind_table.cpp, and its class in bind_manifold.cpp or in a file of its own.
 #pragma once
 
 #include <optional>

@@ -23,9 +23,6 @@ inline IterationOutcome outcome_without_linearization(const System& system) {
   return system.stopped() ? IterationOutcome::kStopped : IterationOutcome::kNotFinite;
 }
 
-/// If the predicted decrease of a step is below this fraction of chi2, rounding errors alone may prevent a
-/// decrease.
-inline constexpr double kNegligible = 1e-9;
 /// If damping or the radius makes a step so short that its predicted decrease is negligible, the step is made
 /// longer, until the predicted decrease is this fraction of chi2.
 inline constexpr double kNoticeable = 1e-6;

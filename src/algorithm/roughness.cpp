@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithm/outcome.h"
-
 namespace boxplus {
 namespace {
 

@@ -7,6 +7,10 @@
 
 namespace boxplus {
 
+/// If the predicted decrease of a step is below this fraction of chi2, rounding errors alone may prevent a
+/// decrease.
+inline constexpr double kNegligible = 1e-9;
+
 /// Whether only rounding errors decide how chi2 changes along `step`. Call this if chi2 did not fall along
 /// the whole step, although the model predicts a decrease of `predicted`. `chi2` is F at the current
 /// estimates.

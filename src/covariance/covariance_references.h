@@ -9,6 +9,9 @@
 
 namespace boxplus {
 
+class BatchSystem;
+class CovarianceSystem;
+
 struct ReferencedCovariance {
   Covariance covariance;
   /// The vertices of which at least a rigid motion was held (3 directions in the plane, 6 in space), or all
@@ -21,5 +24,11 @@ struct ReferencedCovariance {
 /// The same as marginal_covariances().
 ReferencedCovariance referenced_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                             const Options& options);
+
+/// The covariances of `vertices`, computed by a system that the caller keeps. `planned` is the argument of
+/// CovarianceSystem::plan(). With `joint`, all cross-covariances are computed.
+ReferencedCovariance covariance_of_system(CovarianceSystem& system, const Graph& graph,
+                                          const Options& options, const BatchSystem* planned,
+                                          std::span<const VertexRef> vertices, bool joint);
 
 }  // namespace boxplus

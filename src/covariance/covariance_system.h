@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "boxplus/covariance/covariance.h"
-#include "covariance/covariance_references.h"
 #include "covariance/linearization_inputs.h"
 #include "linear/double_double_cholesky.h"
 #include "linearize/linearizer.h"
@@ -101,11 +100,5 @@ class CovarianceSystem {
   std::vector<VertexRef> held_;
   std::optional<Failure> failure_;
 };
-
-/// The covariances of `vertices`, computed by a system that the caller keeps. `planned` is the argument of
-/// CovarianceSystem::plan(). With `joint`, all cross-covariances are computed.
-ReferencedCovariance covariance_of_system(CovarianceSystem& system, const Graph& graph,
-                                          const Options& options, const BatchSystem* planned,
-                                          std::span<const VertexRef> vertices, bool joint);
 
 }  // namespace boxplus

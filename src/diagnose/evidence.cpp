@@ -188,7 +188,6 @@ Evidence::Evidence(const Graph& g, const Options& o, const StopToken& token)
     if (!active.edges[p].empty()) linearize_pool(p);
   }
   examine_vertices();
-  cameras = find_camera_views(*this);
 }
 
 bool Evidence::at_minimum() const {

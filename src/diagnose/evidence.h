@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "boxplus/options/options.h"
-#include "diagnose/camera_views.h"
 #include "plan/active_set.h"
 
 namespace boxplus {
@@ -56,7 +55,6 @@ class Evidence {
   std::uint64_t rows = 0;
   bool has_kernels = false;
   std::vector<FreeDirections> free_directions;  ///< in the order of `vertices`
-  std::vector<CameraViews> cameras;
   /// The decrease of chi2 if each vertex takes a Gauss-Newton step of its own, summed over the vertices.
   double single_decrease = 0;
 

@@ -5,9 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/diagnose/diagnose.h"
+#include "boxplus/diagnose/finding.h"
+#include "boxplus/graph/graph.h"
 
 namespace boxplus {
+
+using detail::Finding;
+using detail::to_string;
 
 class Evidence;
 using Findings = std::vector<Finding>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "diagnose/camera_views.h"
 #include "diagnose/evidence.h"
 #include "diagnose/finding_table.h"
 #include "diagnose/sentences.h"
@@ -50,7 +51,7 @@ Finding misread_poses(const CameraViews& views) {
 /// Cameras look along z or along −z, depending on the model. What most edges say decides.
 void find_points_behind_cameras(const Evidence& evidence, Findings& out) {
   constexpr double kMost = 0.9;  // with a smaller share, the camera may see points on all sides
-  for (const CameraViews& views : evidence.cameras) {
+  for (const CameraViews& views : find_camera_views(evidence)) {
     const double share = static_cast<double>(views.edges_in_front) / static_cast<double>(views.edges);
     if (one_sided_share(views) < kMost) {
       if (2 * views.edges_far_off > views.edges) out.push_back(misread_poses(views));
@@ -78,7 +79,7 @@ void find_points_behind_cameras(const Evidence& evidence, Findings& out) {
 
 void find_far_points(const Evidence& evidence, Findings& out) {
   constexpr double kFar = 1000;  // times the median distance
-  for (const CameraViews& views : evidence.cameras) {
+  for (const CameraViews& views : find_camera_views(evidence)) {
     Finding finding;
     double farthest = 0;
     for (std::uint32_t slot = 0; slot < views.seen.size(); ++slot) {

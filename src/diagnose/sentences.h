@@ -5,10 +5,14 @@
 #include <span>
 #include <string>
 
-#include "boxplus/diagnose/diagnose.h"
+#include "boxplus/diagnose/finding.h"
+#include "boxplus/graph/graph.h"
 #include "gauge/free_motions.h"
 
 namespace boxplus {
+
+using detail::Finding;
+using detail::to_string;
 
 /// "pose 20", "points 3, 7, 9", "vertices 12…40", "poses 3, 5, 8, 9, 12, … (24 in all)". The vertices are
 /// sorted by id.

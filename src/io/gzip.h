@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "boxplus/base/function_ref.h"
-#include "boxplus/io/file_format.h"
+#include "boxplus/io/text_sink.h"
 
 namespace boxplus {
 

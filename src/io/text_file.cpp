@@ -8,12 +8,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 
 #include "boxplus/base/error.h"
-#include "boxplus/io/write_file.h"
-#include "io/replacement.h"
 
 namespace boxplus {
 namespace {
@@ -32,11 +28,6 @@ int write_all(int descriptor, std::string_view text) {
 /// Waits until the written bytes are on the disk, if there is one. Returns the error number, or 0.
 int flush(int descriptor) {
   return ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
-}
-
-bool is_special_file(const std::string& path) {
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
 }  // namespace
@@ -97,32 +88,6 @@ void write_to(const FileDescriptor& file, const std::string& path,
       fail_at(path, "cannot be written", error);
   });
   if (const int error = flush(file.value()); error != 0) fail_at(path, "cannot be written", error);
-}
-
-void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> write) {
-  if (is_special_file(path)) {
-    const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (!file.is_open()) fail_at(path, "cannot be written", errno);
-    write_to(file, path, write);
-    return;
-  }
-  Replacement replacement(path);
-  replacement.write(write);
-  replacement.take_place();
-}
-
-void require_writable(const std::string& path) {
-  if (is_special_file(path)) {
-    if (::access(path.c_str(), W_OK) != 0) fail_at(path, "cannot be written", errno);
-    return;
-  }
-  std::error_code none;
-  if (std::filesystem::is_directory(path, none)) fail_at(path, "cannot be written", EISDIR);
-  const Replacement probe(path);
-}
-
-void write_file(const std::string& path, std::string_view text) {
-  replace_file(path, [&](TextSink sink) { sink(text); });
 }
 
 }  // namespace boxplus

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "boxplus/base/function_ref.h"
-#include "boxplus/io/file_format.h"
+#include "boxplus/io/text_sink.h"
 
 namespace boxplus {
 
@@ -45,9 +45,5 @@ std::size_t read_at(const FileDescriptor& file, const std::string& path, std::si
 
 /// Writes to an open file, and waits until the text is on the disk, if there is one.
 void write_to(const FileDescriptor& file, const std::string& path, detail::FunctionRef<void(TextSink)> write);
-
-/// Replaces a file atomically. `write` gets a sink for the new text. Writes directly to pipes and devices,
-/// such as /dev/stdout, because they cannot be replaced. Throws FileError.
-void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> write);
 
 }  // namespace boxplus

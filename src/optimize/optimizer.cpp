@@ -8,6 +8,7 @@
 
 #include "boxplus/algorithm/algorithm_table.h"
 #include "boxplus/diagnose/diagnose.h"
+#include "covariance/covariance_references.h"
 #include "covariance/covariance_system.h"
 #include "linearize/stiff_edge.h"
 #include "optimize/constraints.h"

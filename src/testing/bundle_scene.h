@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "boxplus/manifold/se3.h"
-#include "boxplus/testing/simulate_bundle.h"
 #include "testing/random_numbers.h"
 
 namespace boxplus {

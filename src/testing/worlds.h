@@ -2,9 +2,10 @@
 // One function per simulated world.
 #pragma once
 
-#include "boxplus/testing/simulate.h"
-
 namespace boxplus {
+
+struct Simulation;
+struct SimulationOptions;
 
 Simulation simulate_sphere(const SimulationOptions& options);
 Simulation simulate_torus(const SimulationOptions& options);

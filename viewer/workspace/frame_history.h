@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "viewer/server/messages.h"
+#include "viewer/protocol/messages.h"
 
 namespace boxplus::viewer {
 

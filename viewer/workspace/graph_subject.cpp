@@ -12,8 +12,8 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
-#include "viewer/server/diagnosis_json.h"
-#include "viewer/server/element_json.h"
+#include "viewer/protocol/diagnosis_json.h"
+#include "viewer/protocol/element_json.h"
 #include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {

@@ -13,7 +13,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/outliers/outliers.h"
-#include "viewer/server/messages.h"
+#include "viewer/protocol/messages.h"
 #include "viewer/settings/run_settings.h"
 #include "viewer/workspace/edits.h"
 

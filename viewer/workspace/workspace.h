@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
-#include "viewer/server/messages.h"
+#include "viewer/protocol/messages.h"
 #include "viewer/workspace/frame_history.h"
 #include "viewer/workspace/graph_subject.h"
 

@@ -13,9 +13,6 @@ class App;
 
 namespace boxplus::app {
 
-/// The path that stands for standard input or standard output.
-inline constexpr const char* kStandardStream = "-";
-
 /// Returns "<stdin>" for "-", and otherwise the path.
 std::string input_name(const std::string& path);
 

@@ -11,7 +11,6 @@
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/write_file.h"
 #include "command_line/message.h"
-#include "files/graph_input.h"
 
 namespace boxplus::app {
 namespace {

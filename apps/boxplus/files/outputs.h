@@ -8,6 +8,9 @@
 
 namespace boxplus::app {
 
+/// The path that stands for standard input or standard output.
+inline constexpr const char* kStandardStream = "-";
+
 struct Output {
   const char* option;  ///< the option that names the output, for messages
   std::string path;    ///< "-" means standard output; an empty path means no output

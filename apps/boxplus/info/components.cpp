@@ -6,7 +6,7 @@
 
 namespace boxplus::app {
 
-void find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role_of_edge, GraphFacts& facts) {
+Components find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role_of_edge) {
   const GraphView& view = role_of_edge.view();
   DisjointSets sets = view.components();
   std::unordered_map<std::uint32_t, ComponentFacts> components;  // the key is the root of the set
@@ -31,17 +31,19 @@ void find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role
   for (const detail::GaugeFreedom& freedom : plan.freedoms)
     component_of(*graph.find_vertex(freedom.id)).free = to_string(freedom);
 
+  Components result;
   for (auto& [root, component] : components) {
     if (component.edges == 0) {
-      facts.isolated.push_back(component.first);
+      result.isolated.push_back(component.first);
     } else {
-      facts.components.push_back(std::move(component));
+      result.with_edges.push_back(std::move(component));
     }
   }
-  std::sort(facts.isolated.begin(), facts.isolated.end());
-  std::sort(facts.components.begin(), facts.components.end(), [](const auto& a, const auto& b) {
+  std::sort(result.isolated.begin(), result.isolated.end());
+  std::sort(result.with_edges.begin(), result.with_edges.end(), [](const auto& a, const auto& b) {
     return a.vertices != b.vertices ? a.vertices > b.vertices : a.first < b.first;
   });
+  return result;
 }
 
 }  // namespace boxplus::app

@@ -9,7 +9,6 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/data.h"
 #include "boxplus/io/registry.h"
-#include "info/components.h"
 #include "optimize/optimize_run.h"
 #include "plan/plan.h"
 
@@ -165,7 +164,9 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   }
   find_edge_types(graph, edges, facts);
   facts.worst = worst_of(std::move(edges), worst);
-  find_components(graph, plan, role, facts);
+  Components components = find_components(graph, plan, role);
+  facts.components = std::move(components.with_edges);
+  facts.isolated = std::move(components.isolated);
   for (const GraphFile::KeptLine& line : file.kept) {
     if (const std::string_view tag = data_tag_of(line.text); !tag.empty()) ++facts.data[std::string(tag)];
   }

@@ -13,6 +13,7 @@
 #include "boxplus/io/graph_file.h"
 #include "boxplus/outliers/outliers.h"
 #include "graph/graph_view.h"
+#include "info/components.h"
 #include "optimize/report_json.h"
 
 namespace boxplus::app {
@@ -45,17 +46,6 @@ struct EdgeTypeFacts {
   std::size_t count = 0, rows = 0;  ///< `rows` is the sum of the rows (dimensions) of the errors of all edges
   double chi2 = 0;
   EdgeFacts worst;
-};
-
-/// A set of vertices that edges connect. Parameters do not connect vertices.
-struct ComponentFacts {
-  Id first = 0;  ///< the lowest id of its vertices
-  std::size_t vertices = 0, edges = 0;
-  std::vector<Id> fixed;  ///< the vertices that the file fixes
-  std::vector<Id> held;   ///< the vertices that optimize holds, because nothing else holds the component
-  std::size_t priors = 0;
-  /// The motions that change no error even while the vertices in `held` are fixed; empty if there are none.
-  std::string_view free;
 };
 
 struct FindingFacts {

@@ -10,7 +10,7 @@
 #include "boxplus/diagnose/diagnose.h"
 #include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
-#include "optimize/interrupt.h"
+#include "files/interrupt.h"
 
 namespace boxplus::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "command_line/message.h"
-#include "optimize/interrupt.h"
+#include "files/interrupt.h"
 
 namespace boxplus::app {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "growing/placement.h"
+#include "common/placement.h"
 
 namespace boxplus::programs {
 

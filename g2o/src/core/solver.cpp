@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "g2o/core/block_solver.h"
-
 namespace g2o {
 
 Solver::Solver() = default;
@@ -27,7 +25,5 @@ void Solver::resizeVector(size_t sx) {
   _x = x_memory_.data();
   _b = b_memory_.data();
 }
-
-BlockSolverBase::~BlockSolverBase() = default;
 
 }  // namespace g2o

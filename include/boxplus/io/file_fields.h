@@ -170,5 +170,3 @@ struct EdgeFields<SegmentEndObservation2> {
 };
 
 }  // namespace boxplus
-
-#include "boxplus/io/image_fields.h"  // IWYU pragma: export

@@ -16,12 +16,10 @@
 
 #include "boxplus/base/function_ref.h"
 #include "boxplus/io/graph_file.h"
+#include "boxplus/io/text_sink.h"
 #include "boxplus/io/text_source.h"
 
 namespace boxplus {
-
-/// Receives text piece by piece.
-using TextSink = detail::FunctionRef<void(std::string_view)>;
 
 /// The graph that a format writes. If it was not read from a file, `edges` and `kept` are empty.
 struct GraphFileView {

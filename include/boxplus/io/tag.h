@@ -15,6 +15,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/io/file_fields.h"
+#include "boxplus/io/image_fields.h"
 #include "boxplus/io/information_fields.h"
 
 namespace boxplus {

@@ -7,6 +7,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/sparse_model.h"
+#include "io/model/model_pose.h"
 
 namespace boxplus {
 
@@ -20,11 +21,6 @@ ModelNotes unusual_parts(const SparseModel& model);
 /// the model.
 GraphFile graph_of(SparseModel model);
 
-/// Graphs have the inverses of the poses of files.
-SE3 pose_of(const SparseModel::Pose& pose);
-SparseModel::Pose pose_in_file(const SE3& pose);
-/// The pose of an image, as T_world_camera.
-SE3 pose_of(const SparseModel::Image& image);
 /// The reprojection error of a point that a feature shows.
 Vector2 error_of(const SparseModel::Camera& camera, const SE3& T_world_camera,
                  const SparseModel::Feature& feature, const Vector3& point);

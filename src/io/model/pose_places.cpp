@@ -3,7 +3,7 @@
 
 #include <unordered_map>
 
-#include "io/model/model_graph.h"
+#include "io/model/model_pose.h"
 
 namespace boxplus {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/extend_factor.h"
+#include "linear/block_cholesky/find_lost_pivot.h"
 #include "linear/block_cholesky/triangular_solve.h"
 #include "linear/column_inverse.h"
 #include "linear/finite_check.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kernels/kernel_table.h"
+#include "linear/block_cholesky/find_lost_pivot.h"
 #include "linear/block_cholesky/triangular_solve.h"
 
 namespace boxplus {

@@ -74,10 +74,4 @@ FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructu
                               const double* values, const Damping& damping, const StopToken& stop,
                               NumericFactor<Scalar>& factor);
 
-/// Applies the test that is described at kLostPivot to the suspects of the last factorization. Returns the
-/// first lost pivot in the elimination order, or the number of scalars if no pivot is lost.
-template <class Scalar>
-std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,
-                              NumericFactor<Scalar>& factor);
-
 }  // namespace boxplus

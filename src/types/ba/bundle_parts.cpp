@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
-#include "boxplus/types/ba.h"
+#include "boxplus/types/ba/pools.h"
 
 namespace boxplus {
 namespace {

@@ -14,8 +14,8 @@
 #include "g2o/core/block_solver.h"
 #include "g2o/core/optimization_algorithm_gauss_newton.h"
 #include "g2o/core/sparse_optimizer.h"
+#include "g2o/edge_checks.h"
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
-#include "g2o/types/edge_checks.h"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <thread>
 #include <vector>
 
-#include "g2o/core/normal_equations.h"
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/small_graph.h"
+#include "g2o/normal_equations.h"
 
 namespace {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "g2o/core/block_solver.h"
-#include "g2o/core/normal_equations.h"
 #include "g2o/core/optimization_algorithm_levenberg.h"
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/sparse_optimizer.h"
+#include "g2o/normal_equations.h"
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
 #include "g2o/types/sba/types_six_dof_expmap.h"
 

@@ -5,8 +5,8 @@
 
 #include "g2o/core/block_solver.h"
 #include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/edge_checks.h"
 #include "g2o/solvers/dense/linear_solver_dense.h"
-#include "g2o/types/edge_checks.h"
 #include "g2o/types/icp/types_icp.h"
 
 G2O_USE_TYPE_GROUP(slam3d);

@@ -9,8 +9,8 @@
 #include "g2o/core/block_solver.h"
 #include "g2o/core/optimization_algorithm_gauss_newton.h"
 #include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/edge_checks.h"
 #include "g2o/solvers/dense/linear_solver_dense.h"
-#include "g2o/types/edge_checks.h"
 #include "g2o/types/types_seven_dof_expmap.h"
 #include "g2o/types/types_six_dof_expmap.h"
 

@@ -9,8 +9,8 @@
 
 #include "g2o/core/block_solver.h"
 #include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/edge_checks.h"
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
-#include "g2o/types/edge_checks.h"
 #include "g2o/types/sclam2d/closed_form_calibration.h"
 #include "g2o/types/sclam2d/types_sclam2d.h"
 

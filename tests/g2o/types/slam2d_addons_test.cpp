@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "g2o/types/edge_checks.h"
+#include "g2o/edge_checks.h"
 #include "g2o/types/slam2d_addons/types_slam2d_addons.h"
 
 G2O_USE_TYPE_GROUP(slam2d_segment);

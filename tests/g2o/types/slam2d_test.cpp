@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "g2o/types/edge_checks.h"
+#include "g2o/edge_checks.h"
 #include "g2o/types/slam2d/types_slam2d.h"
 
 G2O_USE_TYPE_GROUP(slam2d);

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "g2o/types/edge_checks.h"
+#include "g2o/edge_checks.h"
 #include "g2o/types/edge_pointxyz.h"
 #include "g2o/types/slam3d/isometry3d_gradients.h"
 #include "g2o/types/slam3d/types_slam3d.h"

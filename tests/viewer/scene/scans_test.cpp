@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viewer/server/messages.h"
+#include "viewer/protocol/messages.h"
 
 namespace boxplus::viewer {
 namespace {

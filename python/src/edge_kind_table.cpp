@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edge_kinds.h"
-
 #include <algorithm>
 #include <typeinfo>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 #include "edge_kind.h"
+#include "edge_kinds.h"
 #include "landmark_values.h"
 
 namespace boxplus::python {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimize/interrupt.h"
+#include "files/interrupt.h"
 
 #include "files/clean_end.h"
 

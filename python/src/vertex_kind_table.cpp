@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vertex_kinds.h"
-
 #include <pybind11/eval.h>
 
 #include <string>
@@ -10,6 +8,7 @@
 
 #include "graph_object.h"
 #include "vertex_kind.h"
+#include "vertex_kinds.h"
 
 namespace boxplus::python {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/server/messages.h"
+#include "viewer/protocol/messages.h"
 
 #include <bit>
 #include <cstring>

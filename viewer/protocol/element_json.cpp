@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/server/element_json.h"
+#include "viewer/protocol/element_json.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plan/plan.h"
-
 #include <algorithm>
 #include <numeric>
 #include <span>
@@ -13,6 +11,7 @@
 #include "plan/chunks.h"
 #include "plan/dense_scratch.h"
 #include "plan/fixed_directions.h"
+#include "plan/plan.h"
 
 namespace boxplus {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/block_cholesky/tree_schedule.h"
-
 #include <algorithm>
 #include <functional>
 #include <queue>
 #include <utility>
 
 #include "linear/block_cholesky/symbolic_factor.h"
+#include "linear/block_cholesky/tree_schedule.h"
 
 namespace boxplus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/server/diagnosis_json.h"
+#include "viewer/protocol/diagnosis_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "growing/placement.h"
+#include "common/placement.h"
 
 #include <cmath>
 

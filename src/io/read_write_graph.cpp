@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/io/graph_file.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "boxplus/io/graph_file.h"
 #include "boxplus/io/write_file.h"
 #include "io/g2o/notes.h"
 #include "io/gzip.h"
+#include "io/replace_file.h"
 #include "io/text_file.h"
 
 namespace boxplus {
