@@ -166,6 +166,8 @@ struct Argument {
   V value;
   double* jacobian = nullptr;
 };
+template <class V>
+Argument(V, double*) -> Argument<V>;
 
 /// Converts a Jacobian from the tangent space of the engine to the tangent space of g2o. The spaces differ
 /// only for poses in the plane, because g2o adds their translations in the world frame: δ_body = R(θ)ᵀ
