@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Defines the members of ReadyMadeEdge. A source that includes this header specializes EdgeModel<Edge> for
-// its edge types. The constructors of these types, which follow, instantiate the members.
+// Defines EdgeFunctions. Only the sources of ready-made edges include this header. Such a source specializes
+// EdgeModel<Edge>, which says how the edge differs from others, and then instantiates EdgeFunctions<Edge>.
 //
 // A model has as many of these members as the edge needs:
 //   Native                the edge type of the engine
@@ -16,7 +16,8 @@
 //   measured(e)           the measurement that the estimates predict
 //   first(e), second(e)   estimates of vertex 0 and of vertex 1 that agree with the measurement. With both,
 //                         the edge can compute each from the other vertex. With only second(), it can compute
-//                         vertex 1 from vertex 0, and with only first(), vertex 0 from the measurement alone.
+//                         vertex 1 from all others, and with only first(), vertex 0 from the measurement
+//                         alone.
 //   possible(e, from, to), guess(e, to)  other forms of initialEstimatePossible(), initialEstimate()
 #pragma once
 
@@ -32,27 +33,6 @@
 
 namespace g2o {
 namespace internal {
-
-/// Converts measurements to the type of the engine and back, and to kSize numbers and back. The primary
-/// template is for vectors.
-template <class E>
-struct MeasurementAdapter {
-  static constexpr int kSize = E::RowsAtCompileTime;
-  using Native = boxplus::Vector<double, kSize>;
-  static Native native(const E& z, const KeptMeasurement<E>&) { return z; }
-  static E to_g2o(const Native& z) { return z; }
-  static E from_data(const double* d) { return E(d); }
-  static const E& to_data(const E& z, const KeptMeasurement<E>&) { return z; }
-};
-template <>
-struct MeasurementAdapter<double> {
-  static constexpr int kSize = 1;
-  using Native = double;
-  static double native(double z, const KeptMeasurement<double>&) { return z; }
-  static double to_g2o(double z) { return z; }
-  static double from_data(const double* d) { return *d; }
-  static std::array<double, 1> to_data(double z, const KeptMeasurement<double>&) { return {z}; }
-};
 
 template <class Adapter>
 concept HasData = requires {
@@ -71,6 +51,19 @@ struct NoInitialEstimate {
   static bool possible(const OptimizableGraph::Edge&, const OptimizableGraph::VertexSet&,
                        const OptimizableGraph::Vertex*) {
     return false;
+  }
+};
+
+/// The base of the model of an edge that computes each of the vertices 0 and 1 from the other one. Unlike for
+/// other edges, `to` says which, because the other one may not be all that is necessary.
+template <class Edge>
+struct GuessedFromOther {
+  static void guess(Edge& e, const OptimizableGraph::Vertex* to) {
+    if (to == e.vertices()[1]) {
+      e.template vertexXn<1>()->setEstimate(EdgeModel<Edge>::second(e));
+    } else {
+      e.template vertexXn<0>()->setEstimate(EdgeModel<Edge>::first(e));
+    }
   }
 };
 
@@ -113,8 +106,9 @@ constexpr int measurement_fields() {
   }
 }
 
+// The attribute inlines the functions of the engine, as if each edge were alone in its source.
 template <class Edge>
-void EdgeFunctions<Edge>::compute_error(Edge& e) {
+[[gnu::flatten]] void EdgeFunctions<Edge>::compute_error(Edge& e) {
   using Model = EdgeModel<Edge>;
   const auto error = [&e] {
     if constexpr (requires { Model::error(e); }) {
@@ -135,7 +129,7 @@ void EdgeFunctions<Edge>::compute_error(Edge& e) {
 }
 
 template <class Edge>
-void EdgeFunctions<Edge>::linearize(Edge& e) {
+[[gnu::flatten]] void EdgeFunctions<Edge>::linearize(Edge& e) {
   using Model = EdgeModel<Edge>;
   if constexpr (requires { Model::linearize(e); }) {
     Model::linearize(e);
@@ -179,7 +173,8 @@ bool EdgeFunctions<Edge>::read(Edge& e, std::istream& is) {
     }
   });
   if constexpr (requires { Model::rest(e); }) {
-    return good && adapters::read_rest(is, Model::rest(e));
+    return good &&
+           std::apply([&](auto*... number) { return adapters::read_rest(is, {number...}); }, Model::rest(e));
   } else {
     return good;
   }
@@ -204,7 +199,8 @@ bool EdgeFunctions<Edge>::write(const Edge& e, std::ostream& os) {
     adapters::write_omega(e._information, out);
   });
   if constexpr (requires { Model::rest(e); }) {
-    return good && adapters::write_rest(os, Model::rest(e));
+    return good && std::apply([&](auto*... number) { return adapters::write_rest(os, {*number...}); },
+                              Model::rest(e));
   } else {
     return good;
   }
@@ -253,7 +249,10 @@ double EdgeFunctions<Edge>::cost_of_guess(const Edge& e, const Vertices& from,
   } else if constexpr (requires { Model::first(e); }) {
     possible = true;
   } else if constexpr (requires { Model::second(e); }) {
-    possible = from.count(e._vertices[0]) > 0 && to == e._vertices[1];
+    possible = to == e._vertices[1];
+    for (std::size_t i = 0; i < e._vertices.size(); ++i) {
+      if (i != 1 && from.count(e._vertices[i]) == 0) possible = false;
+    }
   }
   return possible ? 1 : -1;
 }

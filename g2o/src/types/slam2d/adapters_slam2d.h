@@ -6,7 +6,6 @@
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 #include "types/adapters.h"
-#include "types/ready_made_edge.h"
 
 // Every source that includes this header refers to the source that registers the tags of all types. Without
 // this, a linker would leave that source out of a program that links the static library.

@@ -10,6 +10,7 @@
 #include "g2o/types/slam2d/edge_se2_pointxy_offset.h"
 #include "g2o/types/slam2d/edge_se2_twopointsxy.h"
 #include "g2o/types/slam2d/edge_xy_prior.h"
+#include "types/ready_made_edge.h"
 #include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
@@ -56,10 +57,6 @@ struct EdgeModel<EdgeSE2PointXYCalib> {
   using Native = boxplus::OffsetPointObservation2;
   static Vector2 measured(const EdgeSE2PointXYCalib& e) {
     return (estimate<0>(e) * estimate<2>(e)).inverse() * estimate<1>(e);
-  }
-  static bool possible(const EdgeSE2PointXYCalib& e, const OptimizableGraph::VertexSet& from,
-                       const OptimizableGraph::Vertex* to) {
-    return from.count(e.vertices()[0]) > 0 && from.count(e.vertices()[2]) > 0 && to == e.vertices()[1];
   }
   static Vector2 second(const EdgeSE2PointXYCalib& e) {
     return estimate<0>(e) * (estimate<2>(e) * e.measurement());

@@ -8,6 +8,7 @@
 #include "g2o/types/slam2d/edge_se2_offset.h"
 #include "g2o/types/slam2d/edge_se2_prior.h"
 #include "g2o/types/slam2d/edge_se2_xyprior.h"
+#include "types/ready_made_edge.h"
 #include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
