@@ -76,7 +76,7 @@ struct EdgeKindOf<E, std::index_sequence<N...>> {
     return complete ? edge : nullptr;
   }
 
-  static void compute_errors(const EdgeRun& run) {
+  [[gnu::flatten]] static void compute_errors(const EdgeRun& run) {
     for (int k = 0; k < run.count; ++k) {
       E* edge = next(run, k);
       if (edge == nullptr) continue;
@@ -85,7 +85,7 @@ struct EdgeKindOf<E, std::index_sequence<N...>> {
     }
   }
 
-  static void linearize(const EdgeRun& run, bool with_errors) {
+  [[gnu::flatten]] static void linearize(const EdgeRun& run, bool with_errors) {
     for (int k = 0; k < run.count; ++k) {
       E* edge = next(run, k);
       if (edge == nullptr) continue;

@@ -16,6 +16,7 @@
 #include "boxplus/io/file_fields.h"
 #include "boxplus/io/registry.h"
 #include "core/line_stream.h"
+#include "g2o/core/ready_made_edge.h"
 
 namespace g2o {
 namespace adapters {
@@ -166,6 +167,8 @@ struct Argument {
   V value;
   double* jacobian = nullptr;
 };
+template <class V>
+Argument(V, double*) -> Argument<V>;
 
 /// Converts a Jacobian from the tangent space of the engine to the tangent space of g2o. The spaces differ
 /// only for poses in the plane, because g2o adds their translations in the world frame: δ_body = R(θ)ᵀ
@@ -207,4 +210,29 @@ void linearize(const E& edge, const Argument<V>&... arguments) {
 }
 
 }  // namespace adapters
+
+namespace internal {
+
+/// Converts measurements to the type of the engine and back, and to kSize numbers and back. The primary
+/// template is for vectors.
+template <class E>
+struct MeasurementAdapter {
+  static constexpr int kSize = E::RowsAtCompileTime;
+  using Native = boxplus::Vector<double, kSize>;
+  static Native native(const E& z, const KeptMeasurement<E>&) { return z; }
+  static E to_g2o(const Native& z) { return z; }
+  static E from_data(const double* d) { return Eigen::Map<const Eigen::Matrix<double, kSize, 1>>(d); }
+  static const E& to_data(const E& z, const KeptMeasurement<E>&) { return z; }
+};
+template <>
+struct MeasurementAdapter<double> {
+  static constexpr int kSize = 1;
+  using Native = double;
+  static double native(double z, const KeptMeasurement<double>&) { return z; }
+  static double to_g2o(double z) { return z; }
+  static double from_data(const double* d) { return *d; }
+  static std::array<double, 1> to_data(double z, const KeptMeasurement<double>&) { return {z}; }
+};
+
+}  // namespace internal
 }  // namespace g2o

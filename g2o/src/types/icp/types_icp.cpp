@@ -3,6 +3,7 @@
 
 #include "g2o/core/factory.h"
 #include "types/cameras.h"
+#include "types/ready_made_edge.h"
 #include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
@@ -140,32 +141,31 @@ void VertexSCam::mapPoint(Vector3& res, const Vector3& pt3) const {
   res = adapters::image<3>(Kcam, baseline_times_focal_length(), adapters::pose(*this).inverse_times(pt3));
 }
 
-Edge_XYZ_VSC::Edge_XYZ_VSC() {
-  _measurement.setZero();
-}
+namespace internal {
 
-void Edge_XYZ_VSC::computeError() {
-  Vector3 image;
-  vertexXn<1>()->mapPoint(image, vertexXn<0>()->estimate());
-  _error = image - _measurement;
-}
+template <>
+struct EdgeModel<Edge_XYZ_VSC> {
+  static Vector3 error(const Edge_XYZ_VSC& e) {
+    Vector3 image;
+    e.vertexXn<1>()->mapPoint(image, estimate<0>(e));
+    return image - e.measurement();
+  }
+  static void linearize(Edge_XYZ_VSC& e) {
+    const boxplus::SE3 pose = adapters::pose(*e.vertexXn<1>());
+    const boxplus::Vector3 point = estimate<0>(e), p = pose.inverse_times(point);
+    const Matrix3 D = adapters::image_by_point<3>(VertexSCam::Kcam, baseline_times_focal_length(), p);
+    auto& Xi = e.jacobianOplusXn<0>();
+    auto& Xj = e.jacobianOplusXn<1>();
+    boxplus::PointObservation3(p).jacobians(pose, point, Xj, Xi);
+    Xi = (D * Xi).eval();
+    Xj = (D * Xj).eval();
+  }
+};
 
-void Edge_XYZ_VSC::linearizeOplus() {
-  const boxplus::SE3 pose = adapters::pose(*vertexXn<1>());
-  const boxplus::Vector3 point = adapters::point(*vertexXn<0>()), p = pose.inverse_times(point);
-  const Matrix3 D = adapters::image_by_point<3>(VertexSCam::Kcam, baseline_times_focal_length(), p);
-  boxplus::PointObservation3(p).jacobians(pose, point, _jacobianOplusXj, _jacobianOplusXi);
-  _jacobianOplusXi = (D * _jacobianOplusXi).eval();
-  _jacobianOplusXj = (D * _jacobianOplusXj).eval();
-}
+template struct EdgeFunctions<Edge_XYZ_VSC>;
 
-bool Edge_XYZ_VSC::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                      [this](const auto& z) { setMeasurement(z); });
-}
+}  // namespace internal
 
-bool Edge_XYZ_VSC::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
-}
+Edge_XYZ_VSC::Edge_XYZ_VSC() = default;
 
 }  // namespace g2o

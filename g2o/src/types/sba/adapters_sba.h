@@ -4,6 +4,7 @@
 #include "boxplus/types/ba/stereo_camera.h"
 #include "g2o/core/factory.h"
 #include "g2o/types/sba/parameter_cameraparameters.h"
+#include "g2o/types/sba/vertex_cam.h"
 #include "g2o/types/slam3d/se3quat.h"
 #include "types/cameras.h"
 #include "types/slam3d/adapters_slam3d.h"
@@ -35,4 +36,22 @@ inline boxplus::StereoCamera camera(const CameraParameters& x) {
 }
 
 }  // namespace adapters
+
+inline boxplus::SE3 native_value(const VertexCam& v) {
+  return adapters::pose(v.estimate());
+}
+
+namespace internal {
+
+template <>
+struct MeasurementAdapter<SE3Quat> {
+  static constexpr int kSize = 7;
+  using Native = boxplus::SE3;
+  static Native native(const SE3Quat& z, const KeptMeasurement<SE3Quat>&) { return adapters::pose(z); }
+  static SE3Quat to_g2o(const Native& z) { return adapters::to_se3quat(z); }
+  static SE3Quat from_data(const double* d) { return SE3Quat(Eigen::Map<const Vector7>(d)); }
+  static Vector7 to_data(const SE3Quat& z, const KeptMeasurement<SE3Quat>&) { return z.toVector(); }
+};
+
+}  // namespace internal
 }  // namespace g2o

@@ -2,6 +2,7 @@
 // Edges for the image of a point in an SBACam, as a single camera or as a stereo pair.
 #include "g2o/types/sba/edge_project_p2mc.h"
 #include "g2o/types/sba/edge_project_p2sc.h"
+#include "types/ready_made_edge.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
@@ -31,50 +32,32 @@ void linearize(const SBACam& cam, const Vector3& point, JPoint& J_point, JCam& J
 
 }  // namespace
 
-EdgeProjectP2MC::EdgeProjectP2MC() {
-  _measurement.setZero();
-}
+namespace internal {
 
-void EdgeProjectP2MC::computeError() {
-  const SBACam& cam = vertexXn<1>()->estimate();
-  _error = adapters::image<2>(cam.Kcam, 0, in_camera(cam, vertexXn<0>()->estimate())) - _measurement;
-}
+template <class Edge>
+struct CameraVertexModel {
+  static typename Edge::Measurement error(const Edge& e) {
+    const SBACam& cam = estimate<1>(e);
+    return adapters::image<Edge::Dimension>(cam.Kcam, baseline_times_focal_length(cam),
+                                            in_camera(cam, estimate<0>(e))) -
+           e.measurement();
+  }
+  static void linearize(Edge& e) {
+    g2o::linearize<Edge::Dimension>(estimate<1>(e), estimate<0>(e), e.template jacobianOplusXn<0>(),
+                                    e.template jacobianOplusXn<1>());
+  }
+};
+template <>
+struct EdgeModel<EdgeProjectP2MC> : CameraVertexModel<EdgeProjectP2MC> {};
+template <>
+struct EdgeModel<EdgeProjectP2SC> : CameraVertexModel<EdgeProjectP2SC> {};
 
-void EdgeProjectP2MC::linearizeOplus() {
-  linearize<2>(vertexXn<1>()->estimate(), vertexXn<0>()->estimate(), _jacobianOplusXi, _jacobianOplusXj);
-}
+template struct EdgeFunctions<EdgeProjectP2MC>;
+template struct EdgeFunctions<EdgeProjectP2SC>;
 
-bool EdgeProjectP2MC::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                      [this](const auto& z) { setMeasurement(z); });
-}
+}  // namespace internal
 
-bool EdgeProjectP2MC::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
-}
-
-EdgeProjectP2SC::EdgeProjectP2SC() {
-  _measurement.setZero();
-}
-
-void EdgeProjectP2SC::computeError() {
-  const SBACam& cam = vertexXn<1>()->estimate();
-  _error = adapters::image<3>(cam.Kcam, baseline_times_focal_length(cam),
-                              in_camera(cam, vertexXn<0>()->estimate())) -
-           _measurement;
-}
-
-void EdgeProjectP2SC::linearizeOplus() {
-  linearize<3>(vertexXn<1>()->estimate(), vertexXn<0>()->estimate(), _jacobianOplusXi, _jacobianOplusXj);
-}
-
-bool EdgeProjectP2SC::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                      [this](const auto& z) { setMeasurement(z); });
-}
-
-bool EdgeProjectP2SC::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
-}
+EdgeProjectP2MC::EdgeProjectP2MC() = default;
+EdgeProjectP2SC::EdgeProjectP2SC() = default;
 
 }  // namespace g2o

@@ -4,12 +4,12 @@
 #include "g2o/types/sba/edge_project_psi2uv.h"
 #include "g2o/types/sba/edge_project_xyz2uv.h"
 #include "g2o/types/sba/edge_project_xyz2uvu.h"
-#include "types/sba/adapters_sba.h"
+#include "types/sba/image_model.h"
 
 namespace g2o {
 namespace {
 
-using Native = boxplus::InverseDepthImage;
+using Image = boxplus::InverseDepthImage;
 
 /// The pose of a camera, given the motion from the world to the camera.
 boxplus::SE3RotationVector pose_of(const VertexSE3Expmap& camera) {
@@ -19,97 +19,66 @@ boxplus::SE3RotationVector pose_of(const VertexSE3Expmap& camera) {
 
 }  // namespace
 
-EdgeProjectXYZ2UV::EdgeProjectXYZ2UV() {
-  _measurement.setZero();
-  resizeParameters(1);
-  installParameter(_cam, 0);
-}
+namespace internal {
 
-void EdgeProjectXYZ2UV::computeError() {
-  _error = _measurement -
-           _cam->cam_map(adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()));
-}
+template <>
+struct EdgeModel<EdgeProjectXYZ2UV> : ImageModel<EdgeProjectXYZ2UV> {
+  static std::tuple<> parameters(const EdgeProjectXYZ2UV&) { return {}; }
+  static adapters::Pinhole camera(const EdgeProjectXYZ2UV& e) { return adapters::camera(*e._cam).pinhole(); }
+  static Vector2 image(const EdgeProjectXYZ2UV& e, const Vector3& p) { return e._cam->cam_map(p); }
+};
 
-void EdgeProjectXYZ2UV::linearizeOplus() {
-  const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
-  const adapters::ImageDerivatives<2> by(adapters::camera(*_cam).pinhole(), p);
-  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
-  adapters::negative_by_step(by, _jacobianOplusXj);
-}
-
-bool EdgeProjectXYZ2UV::read(std::istream& is) {
-  return readParamIds(is) && adapters::read_measurement<boxplus::Vector2>(
-                                 is, 2, _information, [this](const auto& z) { setMeasurement(z); });
-}
-
-bool EdgeProjectXYZ2UV::write(std::ostream& os) const {
-  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
-}
-
-EdgeProjectXYZ2UVU::EdgeProjectXYZ2UVU() {
-  _measurement.setZero();
-  resizeParameters(1);
-  installParameter(_cam, 0);
-}
-
-void EdgeProjectXYZ2UVU::computeError() {
-  _error = _measurement - _cam->stereocam_uvu_map(
-                              adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()));
-}
-
-void EdgeProjectXYZ2UVU::linearizeOplus() {
-  const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
-  const adapters::ImageDerivatives<3> by(adapters::camera(*_cam).pinhole(), p);
-  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
-  adapters::negative_by_step(by, _jacobianOplusXj);
-}
-
-bool EdgeProjectXYZ2UVU::read(std::istream& is) {
-  return readParamIds(is) && adapters::read_measurement<boxplus::Vector3>(
-                                 is, 3, _information, [this](const auto& z) { setMeasurement(z); });
-}
-
-bool EdgeProjectXYZ2UVU::write(std::ostream& os) const {
-  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
-}
-
-EdgeProjectPSI2UV::EdgeProjectPSI2UV() {
-  _measurement.setZero();
-  resizeParameters(1);
-  installParameter(_cam, 0);
-}
-
-void EdgeProjectPSI2UV::computeError() {
-  _error = -Native(_measurement)
-                .error(adapters::point(*vertexXn<0>()), pose_of(*vertexXn<1>()), pose_of(*vertexXn<2>()),
-                       adapters::camera(*_cam));
-}
+template <>
+struct EdgeModel<EdgeProjectXYZ2UVU> : ImageModel<EdgeProjectXYZ2UVU> {
+  static std::tuple<> parameters(const EdgeProjectXYZ2UVU&) { return {}; }
+  static adapters::Pinhole camera(const EdgeProjectXYZ2UVU& e) { return adapters::camera(*e._cam).pinhole(); }
+  static Vector3 image(const EdgeProjectXYZ2UVU& e, const Vector3& p) { return e._cam->stereocam_uvu_map(p); }
+};
 
 // The error is the negative of the engine's, and a step T ← exp(ω, υ) T changes the pose X = T⁻¹ of the
 // engine to X exp(−ω, −υ). The signs cancel.
-void EdgeProjectPSI2UV::linearizeOplus() {
-  Eigen::Matrix<double, 2, 3> by_point;
-  Eigen::Matrix<double, 2, 6> by_pose, by_anchor;
-  adapters::linearize(
-      Native(_measurement),
-      adapters::Argument<boxplus::Vector3>{adapters::point(*vertexXn<0>()), by_point.data()},
-      adapters::Argument<boxplus::SE3RotationVector>{pose_of(*vertexXn<1>()), by_pose.data()},
-      adapters::Argument<boxplus::SE3RotationVector>{pose_of(*vertexXn<2>()), by_anchor.data()},
-      adapters::Argument<boxplus::StereoCamera>{adapters::camera(*_cam), nullptr});
-  std::get<0>(_jacobianOplus) = -by_point;
-  std::get<1>(_jacobianOplus) << by_pose.rightCols<3>(), by_pose.leftCols<3>();
-  std::get<2>(_jacobianOplus) << by_anchor.rightCols<3>(), by_anchor.leftCols<3>();
+template <>
+struct EdgeModel<EdgeProjectPSI2UV> {
+  using Edge = EdgeProjectPSI2UV;
+  static std::tuple<> parameters(const Edge&) { return {}; }
+  static Vector2 error(const Edge& e) {
+    return -Image(e.measurement())
+                .error(native_value(*e.vertexXn<0>()), pose_of(*e.vertexXn<1>()), pose_of(*e.vertexXn<2>()),
+                       adapters::camera(*e._cam));
+  }
+  static void linearize(Edge& e) {
+    Eigen::Matrix<double, 2, 3> by_point;
+    Eigen::Matrix<double, 2, 6> by_pose, by_anchor;
+    adapters::linearize(Image(e.measurement()),
+                        adapters::Argument{native_value(*e.vertexXn<0>()), by_point.data()},
+                        adapters::Argument{pose_of(*e.vertexXn<1>()), by_pose.data()},
+                        adapters::Argument{pose_of(*e.vertexXn<2>()), by_anchor.data()},
+                        adapters::Argument{adapters::camera(*e._cam), nullptr});
+    e.jacobianOplusXn<0>() = -by_point;
+    e.jacobianOplusXn<1>() << by_pose.rightCols<3>(), by_pose.leftCols<3>();
+    e.jacobianOplusXn<2>() << by_anchor.rightCols<3>(), by_anchor.leftCols<3>();
+  }
+};
+
+template struct EdgeFunctions<EdgeProjectXYZ2UV>;
+template struct EdgeFunctions<EdgeProjectXYZ2UVU>;
+template struct EdgeFunctions<EdgeProjectPSI2UV>;
+
+}  // namespace internal
+
+EdgeProjectXYZ2UV::EdgeProjectXYZ2UV() {
+  resizeParameters(1);
+  installParameter(_cam, 0);
 }
 
-bool EdgeProjectPSI2UV::read(std::istream& is) {
-  return readParamIds(is) && adapters::read_measurement<boxplus::Vector2>(
-                                 is, 2, _information, [this](const auto& z) { setMeasurement(z); });
+EdgeProjectXYZ2UVU::EdgeProjectXYZ2UVU() {
+  resizeParameters(1);
+  installParameter(_cam, 0);
 }
 
-bool EdgeProjectPSI2UV::write(std::ostream& os) const {
-  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
+EdgeProjectPSI2UV::EdgeProjectPSI2UV() {
+  resizeParameters(1);
+  installParameter(_cam, 0);
 }
 
 }  // namespace g2o

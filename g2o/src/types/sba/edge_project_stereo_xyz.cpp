@@ -4,27 +4,9 @@
 
 #include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"
-#include "types/cameras.h"
-#include "types/sba/adapters_sba.h"
+#include "types/sba/image_model.h"
 
 namespace g2o {
-
-EdgeStereoSE3ProjectXYZ::EdgeStereoSE3ProjectXYZ() {
-  _measurement.setZero();
-}
-
-void EdgeStereoSE3ProjectXYZ::computeError() {
-  _error = _measurement -
-           cam_project(adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()), bf);
-}
-
-void EdgeStereoSE3ProjectXYZ::linearizeOplus() {
-  const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
-  const adapters::ImageDerivatives<3> by(adapters::pinhole(fx, fy, cx, cy, bf), p);
-  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
-  adapters::negative_by_step(by, _jacobianOplusXj);
-}
 
 bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
   return adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate())[2] > 0;
@@ -32,31 +14,6 @@ bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
 
 Vector3 EdgeStereoSE3ProjectXYZ::cam_project(const Vector3& trans_xyz, const double& baseline_fx) const {
   return adapters::pinhole(fx, fy, cx, cy, baseline_fx).image<3>(trans_xyz);
-}
-
-bool EdgeStereoSE3ProjectXYZ::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                      [this](const auto& z) { setMeasurement(z); }) &&
-         adapters::read_rest(is, {&fx, &fy, &cx, &cy, &bf});
-}
-
-bool EdgeStereoSE3ProjectXYZ::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
-         adapters::write_rest(os, {fx, fy, cx, cy, bf});
-}
-
-EdgeStereoSE3ProjectXYZOnlyPose::EdgeStereoSE3ProjectXYZOnlyPose() {
-  _measurement.setZero();
-}
-
-void EdgeStereoSE3ProjectXYZOnlyPose::computeError() {
-  _error = _measurement - cam_project(adapters::transformed(vertexXn<0>()->estimate(), Xw));
-}
-
-void EdgeStereoSE3ProjectXYZOnlyPose::linearizeOplus() {
-  const Vector3 p = adapters::transformed(vertexXn<0>()->estimate(), Xw);
-  adapters::negative_by_step(adapters::ImageDerivatives<3>(adapters::pinhole(fx, fy, cx, cy, bf), p),
-                             _jacobianOplusXi);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -67,16 +24,35 @@ Vector3 EdgeStereoSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) c
   return adapters::pinhole(fx, fy, cx, cy, bf).image<3>(trans_xyz);
 }
 
-bool EdgeStereoSE3ProjectXYZOnlyPose::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                      [this](const auto& z) { setMeasurement(z); }) &&
-         adapters::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy, &bf});
-}
+namespace internal {
 
-bool EdgeStereoSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
-         adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy, bf});
-}
+template <class Edge>
+struct StereoCameraModel : ImageModel<Edge> {
+  static adapters::Pinhole camera(const Edge& e) { return adapters::pinhole(e.fx, e.fy, e.cx, e.cy, e.bf); }
+};
+
+template <>
+struct EdgeModel<EdgeStereoSE3ProjectXYZ> : StereoCameraModel<EdgeStereoSE3ProjectXYZ> {
+  template <class Edge>
+  static auto rest(Edge& e) {
+    return std::array{&e.fx, &e.fy, &e.cx, &e.cy, &e.bf};
+  }
+};
+template <>
+struct EdgeModel<EdgeStereoSE3ProjectXYZOnlyPose> : StereoCameraModel<EdgeStereoSE3ProjectXYZOnlyPose> {
+  template <class Edge>
+  static auto rest(Edge& e) {
+    return std::array{&e.Xw[0], &e.Xw[1], &e.Xw[2], &e.fx, &e.fy, &e.cx, &e.cy, &e.bf};
+  }
+};
+
+template struct EdgeFunctions<EdgeStereoSE3ProjectXYZ>;
+template struct EdgeFunctions<EdgeStereoSE3ProjectXYZOnlyPose>;
+
+}  // namespace internal
+
+EdgeStereoSE3ProjectXYZ::EdgeStereoSE3ProjectXYZ() = default;
+EdgeStereoSE3ProjectXYZOnlyPose::EdgeStereoSE3ProjectXYZOnlyPose() = default;
 
 namespace {
 

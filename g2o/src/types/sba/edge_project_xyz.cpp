@@ -4,8 +4,7 @@
 
 #include "core/edge_kind.h"
 #include "g2o/types/sba/edge_project_xyz_onlypose.h"
-#include "types/cameras.h"
-#include "types/sba/adapters_sba.h"
+#include "types/sba/image_model.h"
 
 namespace g2o {
 namespace {
@@ -17,53 +16,12 @@ adapters::Pinhole camera_of(const Edge& edge) {
 
 }  // namespace
 
-EdgeSE3ProjectXYZ::EdgeSE3ProjectXYZ() {
-  _measurement.setZero();
-}
-
-void EdgeSE3ProjectXYZ::computeError() {
-  _error = _measurement - camera_of(*this).image<2>(
-                              adapters::transformed(vertexXn<1>()->estimate(), vertexXn<0>()->estimate()));
-}
-
-void EdgeSE3ProjectXYZ::linearizeOplus() {
-  const SE3Quat& T = vertexXn<1>()->estimate();
-  const Vector3 p = adapters::transformed(T, vertexXn<0>()->estimate());
-  const adapters::ImageDerivatives<2> by(camera_of(*this), p);
-  adapters::negative_by_point(by, T.rotation(), _jacobianOplusXi);
-  adapters::negative_by_step(by, _jacobianOplusXj);
-}
-
 bool EdgeSE3ProjectXYZ::isDepthPositive() {
   return vertexXn<1>()->estimate().map(vertexXn<0>()->estimate())[2] > 0;
 }
 
 Vector2 EdgeSE3ProjectXYZ::cam_project(const Vector3& trans_xyz) const {
   return camera_of(*this).image<2>(trans_xyz);
-}
-
-bool EdgeSE3ProjectXYZ::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                      [this](const auto& z) { setMeasurement(z); }) &&
-         adapters::read_rest(is, {&fx, &fy, &cx, &cy});
-}
-
-bool EdgeSE3ProjectXYZ::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
-         adapters::write_rest(os, {fx, fy, cx, cy});
-}
-
-EdgeSE3ProjectXYZOnlyPose::EdgeSE3ProjectXYZOnlyPose() {
-  _measurement.setZero();
-}
-
-void EdgeSE3ProjectXYZOnlyPose::computeError() {
-  _error = _measurement - camera_of(*this).image<2>(adapters::transformed(vertexXn<0>()->estimate(), Xw));
-}
-
-void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
-  const Vector3 p = adapters::transformed(vertexXn<0>()->estimate(), Xw);
-  adapters::negative_by_step(adapters::ImageDerivatives<2>(camera_of(*this), p), _jacobianOplusXi);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -74,16 +32,35 @@ Vector2 EdgeSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
   return camera_of(*this).image<2>(trans_xyz);
 }
 
-bool EdgeSE3ProjectXYZOnlyPose::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                      [this](const auto& z) { setMeasurement(z); }) &&
-         adapters::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy});
-}
+namespace internal {
 
-bool EdgeSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
-         adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy});
-}
+template <class Edge>
+struct SingleCameraModel : ImageModel<Edge> {
+  static adapters::Pinhole camera(const Edge& e) { return camera_of(e); }
+};
+
+template <>
+struct EdgeModel<EdgeSE3ProjectXYZ> : SingleCameraModel<EdgeSE3ProjectXYZ> {
+  template <class Edge>
+  static auto rest(Edge& e) {
+    return std::array{&e.fx, &e.fy, &e.cx, &e.cy};
+  }
+};
+template <>
+struct EdgeModel<EdgeSE3ProjectXYZOnlyPose> : SingleCameraModel<EdgeSE3ProjectXYZOnlyPose> {
+  template <class Edge>
+  static auto rest(Edge& e) {
+    return std::array{&e.Xw[0], &e.Xw[1], &e.Xw[2], &e.fx, &e.fy, &e.cx, &e.cy};
+  }
+};
+
+template struct EdgeFunctions<EdgeSE3ProjectXYZ>;
+template struct EdgeFunctions<EdgeSE3ProjectXYZOnlyPose>;
+
+}  // namespace internal
+
+EdgeSE3ProjectXYZ::EdgeSE3ProjectXYZ() = default;
+EdgeSE3ProjectXYZOnlyPose::EdgeSE3ProjectXYZOnlyPose() = default;
 
 namespace {
 

@@ -2,16 +2,12 @@
 // Edges between two cameras.
 #include "g2o/types/sba/edge_sba_cam.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "g2o/types/sba/edge_sba_scale.h"
+#include "types/ready_made_edge.h"
 #include "types/sba/adapters_sba.h"
 
 namespace g2o {
 namespace {
-
-using Native = boxplus::Between<boxplus::SE3>;
 
 /// A copy of the camera with another pose.
 SBACam moved(const SBACam& cam, const SE3Quat& pose) {
@@ -23,119 +19,57 @@ SBACam moved(const SBACam& cam, const SE3Quat& pose) {
 
 }  // namespace
 
-EdgeSBACam::EdgeSBACam() = default;
+namespace internal {
 
-void EdgeSBACam::computeError() {
-  _error = Native(adapters::pose(_measurement))
-               .error(adapters::pose(vertexXn<0>()->estimate()), adapters::pose(vertexXn<1>()->estimate()));
-}
-
-// A step changes the translation of a camera in the world frame. For a pose of the engine, a step changes the
-// translation in the body frame. Therefore, the Jacobians for the translations are multiplied by the rotation
-// from the world to the camera.
-void EdgeSBACam::linearizeOplus() {
-  const SBACam &from = vertexXn<0>()->estimate(), &to = vertexXn<1>()->estimate();
-  adapters::linearize(Native(adapters::pose(_measurement)),
-                      adapters::Argument<boxplus::SE3>{adapters::pose(from), _jacobianOplusXi.data()},
-                      adapters::Argument<boxplus::SE3>{adapters::pose(to), _jacobianOplusXj.data()});
-  _jacobianOplusXi.leftCols<3>() *= from.w2n.leftCols<3>();
-  _jacobianOplusXj.leftCols<3>() *= to.w2n.leftCols<3>();
-}
-
-bool EdgeSBACam::read(std::istream& is) {
-  return adapters::read_edge<Native>(is, 7, _information,
-                                     [this](const auto& z) { setMeasurement(adapters::to_se3quat(z)); });
-}
-
-bool EdgeSBACam::write(std::ostream& os) const {
-  return adapters::write_edge(os, Native(adapters::pose(_measurement)), _information);
-}
-
-void EdgeSBACam::setMeasurement(const SE3Quat& meas) {
-  _measurement = meas;
-  _inverseMeasurement = meas.inverse();
-}
-
-bool EdgeSBACam::setMeasurementData(const double* d) {
-  setMeasurement(SE3Quat(Eigen::Map<const Vector7>(d)));
-  return true;
-}
-
-bool EdgeSBACam::getMeasurementData(double* d) const {
-  const Vector7 v = _measurement.toVector();
-  std::copy_n(v.data(), 7, d);
-  return true;
-}
-
-bool EdgeSBACam::setMeasurementFromState() {
-  setMeasurement(vertexXn<0>()->estimate().inverse() * vertexXn<1>()->estimate());
-  return true;
-}
-
-double EdgeSBACam::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  return 1.;
-}
-
-void EdgeSBACam::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
-  VertexCam *first = vertexXn<0>(), *second = vertexXn<1>();
-  if (from.count(_vertices[0]) > 0) {
-    second->setEstimate(moved(second->estimate(), first->estimate() * _measurement));
-  } else {
-    first->setEstimate(moved(first->estimate(), second->estimate() * _inverseMeasurement));
+template <>
+struct EdgeModel<EdgeSBACam> {
+  using Native = boxplus::Between<boxplus::SE3>;
+  // A step changes the translation of a camera in the world frame. For a pose of the engine, a step changes
+  // the translation in the body frame. Therefore, the Jacobians for the translations are multiplied by the
+  // rotation from the world to the camera.
+  static void linearized(EdgeSBACam& e) {
+    e.jacobianOplusXn<0>().leftCols<3>() *= estimate<0>(e).w2n.leftCols<3>();
+    e.jacobianOplusXn<1>().leftCols<3>() *= estimate<1>(e).w2n.leftCols<3>();
   }
-}
+  static SE3Quat measured(const EdgeSBACam& e) { return estimate<0>(e).inverse() * estimate<1>(e); }
+  static SBACam first(const EdgeSBACam& e) {
+    return moved(estimate<0>(e), estimate<1>(e) * e.measurement().inverse());
+  }
+  static SBACam second(const EdgeSBACam& e) {
+    return moved(estimate<1>(e), estimate<0>(e) * e.measurement());
+  }
+};
 
-EdgeSBAScale::EdgeSBAScale() {
-  _measurement = 0;
-}
+template <>
+struct EdgeModel<EdgeSBAScale> {
+  static Vector3 difference(const EdgeSBAScale& e) {
+    return estimate<1>(e).translation() - estimate<0>(e).translation();
+  }
+  static double measured(const EdgeSBAScale& e) { return difference(e).norm(); }
+  static double error(const EdgeSBAScale& e) { return e.measurement() - measured(e); }
+  static void linearize(EdgeSBAScale& e) {
+    auto &Xi = e.jacobianOplusXn<0>(), &Xj = e.jacobianOplusXn<1>();
+    Xi.setZero();
+    Xi.leftCols<3>() = difference(e).stableNormalized().transpose();
+    Xj = -Xi;
+  }
+  static SBACam first(const EdgeSBAScale& e) { return at_distance(estimate<0>(e), estimate<1>(e), e); }
+  static SBACam second(const EdgeSBAScale& e) { return at_distance(estimate<1>(e), estimate<0>(e), e); }
 
-void EdgeSBAScale::computeError() {
-  _error[0] = _measurement -
-              (vertexXn<1>()->estimate().translation() - vertexXn<0>()->estimate().translation()).norm();
-}
+ private:
+  static SBACam at_distance(SBACam cam, const SBACam& known, const EdgeSBAScale& e) {
+    const Vector3 direction = (cam.translation() - known.translation()).stableNormalized();
+    cam.setTranslation(known.translation() + e.measurement() * direction);
+    return cam;
+  }
+};
 
-void EdgeSBAScale::linearizeOplus() {
-  const Vector3 d = vertexXn<1>()->estimate().translation() - vertexXn<0>()->estimate().translation();
-  _jacobianOplusXi.setZero();
-  _jacobianOplusXi.leftCols<3>() = d.stableNormalized().transpose();
-  _jacobianOplusXj = -_jacobianOplusXi;
-}
+template struct EdgeFunctions<EdgeSBACam>;
+template struct EdgeFunctions<EdgeSBAScale>;
 
-bool EdgeSBAScale::read(std::istream& is) {
-  return adapters::read_measurement<double>(is, 1, _information, [this](double z) { setMeasurement(z); });
-}
+}  // namespace internal
 
-bool EdgeSBAScale::write(std::ostream& os) const {
-  return adapters::write_measurement(os, _measurement, _information);
-}
-
-bool EdgeSBAScale::setMeasurementData(const double* d) {
-  setMeasurement(*d);
-  return true;
-}
-
-bool EdgeSBAScale::getMeasurementData(double* d) const {
-  *d = _measurement;
-  return true;
-}
-
-bool EdgeSBAScale::setMeasurementFromState() {
-  setMeasurement((vertexXn<1>()->estimate().translation() - vertexXn<0>()->estimate().translation()).norm());
-  return true;
-}
-
-double EdgeSBAScale::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  return 1.;
-}
-
-void EdgeSBAScale::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
-  VertexCam *known = vertexXn<0>(), *to = vertexXn<1>();
-  if (from.count(known) == 0) std::swap(known, to);
-  const Vector3 direction =
-      (to->estimate().translation() - known->estimate().translation()).stableNormalized();
-  SBACam cam = to->estimate();
-  cam.setTranslation(known->estimate().translation() + _measurement * direction);
-  to->setEstimate(cam);
-}
+EdgeSBACam::EdgeSBACam() = default;
+EdgeSBAScale::EdgeSBAScale() = default;
 
 }  // namespace g2o

@@ -28,4 +28,23 @@ inline Vector3 to_g2o(const boxplus::DifferentialDrive& k) {
 }
 
 }  // namespace adapters
+
+inline boxplus::DifferentialDrive native_value(const VertexOdomDifferentialParams& v) {
+  return adapters::drive(v);
+}
+
+namespace internal {
+
+template <>
+struct MeasurementAdapter<VelocityMeasurement> {
+  using Kept = KeptMeasurement<VelocityMeasurement>;
+  static constexpr int kSize = 3;
+  using Native = boxplus::WheelSpeeds;
+  static Native native(const VelocityMeasurement& z, const Kept&) { return adapters::speeds(z); }
+  static VelocityMeasurement to_g2o(const Native& z) { return adapters::to_g2o(z); }
+  static VelocityMeasurement from_data(const double* d) { return {d[0], d[1], d[2]}; }
+  static Vector3 to_data(const VelocityMeasurement& z, const Kept&) { return {z.vl(), z.vr(), z.dt()}; }
+};
+
+}  // namespace internal
 }  // namespace g2o

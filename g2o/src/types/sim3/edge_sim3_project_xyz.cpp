@@ -3,8 +3,8 @@
 
 #include "core/edge_kind.h"
 #include "g2o/core/factory.h"
-#include "types/adapters.h"
 #include "types/cameras.h"
+#include "types/ready_made_edge.h"
 
 G2O_USE_TYPE_GROUP(sim3)  // registers the tags for clients that use only these types
 
@@ -23,65 +23,52 @@ adapters::Pinhole second_camera(const VertexSim3Expmap& v) {
 
 }  // namespace
 
-EdgeSim3ProjectXYZ::EdgeSim3ProjectXYZ() {
-  _measurement.setZero();
-}
+namespace internal {
 
-void EdgeSim3ProjectXYZ::computeError() {
-  const VertexSim3Expmap& v = *vertexXn<1>();
-  _error = _measurement - first_camera(v).image<2>(v.estimate().map(vertexXn<0>()->estimate()));
-}
+template <>
+struct EdgeModel<EdgeSim3ProjectXYZ> {
+  static Vector2 error(const EdgeSim3ProjectXYZ& e) {
+    return e.measurement() - first_camera(*e.vertexXn<1>()).image<2>(estimate<1>(e).map(estimate<0>(e)));
+  }
+  // A change of the scale moves the point in the frame of the camera along its ray, so its image stays.
+  static void linearize(EdgeSim3ProjectXYZ& e) {
+    const Sim3& S = estimate<1>(e);
+    const Vector3 p = S.map(estimate<0>(e));
+    const adapters::ImageDerivatives<2> by(first_camera(*e.vertexXn<1>()), p);
+    auto& by_pose = e.jacobianOplusXn<1>();
+    by.by_rotated_point(-S.scale() * S.rotation().toRotationMatrix(), e.jacobianOplusXn<0>());
+    by.by_pose(by_pose.middleCols<3>(3), by_pose.leftCols<3>());
+    by_pose.col(6).setZero();
+  }
+};
 
-// A change of the scale moves the point in the frame of the camera along its ray, so its image stays.
-void EdgeSim3ProjectXYZ::linearizeOplus() {
-  const VertexSim3Expmap& v = *vertexXn<1>();
-  const Sim3& S = v.estimate();
-  const Vector3 p = S.map(vertexXn<0>()->estimate());
-  const adapters::ImageDerivatives<2> by(first_camera(v), p);
-  by.by_rotated_point(-S.scale() * S.rotation().toRotationMatrix(), _jacobianOplusXi);
-  by.by_pose(_jacobianOplusXj.middleCols<3>(3), _jacobianOplusXj.leftCols<3>());
-  _jacobianOplusXj.col(6).setZero();
-}
+template <>
+struct EdgeModel<EdgeInverseSim3ProjectXYZ> {
+  static Vector2 error(const EdgeInverseSim3ProjectXYZ& e) {
+    return e.measurement() -
+           second_camera(*e.vertexXn<1>()).image<2>(estimate<1>(e).inverse().map(estimate<0>(e)));
+  }
+  // A step δ of S changes the point in the camera to S⁻¹ exp(−δ) p.
+  static void linearize(EdgeInverseSim3ProjectXYZ& e) {
+    const VertexSim3Expmap& v = *e.vertexXn<1>();
+    const Sim3 inverse = v.estimate().inverse();
+    const Vector3& point = estimate<0>(e);
+    Eigen::Matrix<double, 2, 3> D;  // of the image, by the point
+    adapters::ImageDerivatives<2>(second_camera(v), inverse.map(point))
+        .by_rotated_point(inverse.scale() * inverse.rotation().toRotationMatrix(), D);
+    e.jacobianOplusXn<0>() = -D;
+    e.jacobianOplusXn<1>() << -D * skew(point), D, D * point;
+    if (v._fix_scale) e.jacobianOplusXn<1>().col(6).setZero();
+  }
+};
 
-bool EdgeSim3ProjectXYZ::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                      [this](const auto& z) { setMeasurement(z); });
-}
+template struct EdgeFunctions<EdgeSim3ProjectXYZ>;
+template struct EdgeFunctions<EdgeInverseSim3ProjectXYZ>;
 
-bool EdgeSim3ProjectXYZ::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
-}
+}  // namespace internal
 
-EdgeInverseSim3ProjectXYZ::EdgeInverseSim3ProjectXYZ() {
-  _measurement.setZero();
-}
-
-void EdgeInverseSim3ProjectXYZ::computeError() {
-  const VertexSim3Expmap& v = *vertexXn<1>();
-  _error = _measurement - second_camera(v).image<2>(v.estimate().inverse().map(vertexXn<0>()->estimate()));
-}
-
-// A step δ of S changes the point in the camera to S⁻¹ exp(−δ) p.
-void EdgeInverseSim3ProjectXYZ::linearizeOplus() {
-  const VertexSim3Expmap& v = *vertexXn<1>();
-  const Sim3 inverse = v.estimate().inverse();
-  const Vector3& point = vertexXn<0>()->estimate();
-  Eigen::Matrix<double, 2, 3> D;  // of the image, by the point
-  adapters::ImageDerivatives<2>(second_camera(v), inverse.map(point))
-      .by_rotated_point(inverse.scale() * inverse.rotation().toRotationMatrix(), D);
-  _jacobianOplusXi = -D;
-  _jacobianOplusXj << -D * skew(point), D, D * point;
-  if (v._fix_scale) _jacobianOplusXj.col(6).setZero();
-}
-
-bool EdgeInverseSim3ProjectXYZ::read(std::istream& is) {
-  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                      [this](const auto& z) { setMeasurement(z); });
-}
-
-bool EdgeInverseSim3ProjectXYZ::write(std::ostream& os) const {
-  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
-}
+EdgeSim3ProjectXYZ::EdgeSim3ProjectXYZ() = default;
+EdgeInverseSim3ProjectXYZ::EdgeInverseSim3ProjectXYZ() = default;
 
 namespace {
 

@@ -31,4 +31,25 @@ inline boxplus::Vector2 point(const VertexPointXY& v) {
 }
 
 }  // namespace adapters
+
+inline boxplus::SE2 native_value(const VertexSE2& v) {
+  return adapters::pose(v);
+}
+inline boxplus::Vector2 native_value(const VertexPointXY& v) {
+  return v.estimate();
+}
+
+namespace internal {
+
+template <>
+struct MeasurementAdapter<SE2> {
+  static constexpr int kSize = 3;
+  using Native = boxplus::SE2;
+  static Native native(const SE2& z, const KeptMeasurement<SE2>&) { return adapters::pose(z); }
+  static SE2 to_g2o(const Native& z) { return adapters::to_g2o(z); }
+  static SE2 from_data(const double* d) { return {d[0], d[1], d[2]}; }
+  static Vector3 to_data(const SE2& z, const KeptMeasurement<SE2>&) { return z.toVector(); }
+};
+
+}  // namespace internal
 }  // namespace g2o

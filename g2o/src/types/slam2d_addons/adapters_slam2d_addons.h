@@ -22,4 +22,12 @@ inline boxplus::Line2 line(const VertexLine2D& v) {
 }
 
 }  // namespace adapters
+
+inline boxplus::Segment2 native_value(const VertexSegment2D& v) {
+  return adapters::segment(v);
+}
+inline boxplus::Line2 native_value(const VertexLine2D& v) {
+  return adapters::line(v);
+}
+
 }  // namespace g2o

@@ -1,154 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "g2o/types/slam2d_addons/edge_line2d.h"
 #include "g2o/types/slam2d_addons/edge_line2d_pointxy.h"
 #include "g2o/types/slam2d_addons/edge_se2_line2d.h"
+#include "types/ready_made_edge.h"
 #include "types/slam2d_addons/adapters_slam2d_addons.h"
 
 namespace g2o {
-namespace {
+namespace internal {
 
-using Observation = boxplus::LineObservation2;
-using Difference = boxplus::LineDifference2;
-using Distance = boxplus::PointToLine2;
+template <>
+struct EdgeModel<EdgeSE2Line2D> {
+  using Native = boxplus::LineObservation2;
+  static Line2D measured(const EdgeSE2Line2D& e) { return estimate<0>(e).inverse() * estimate<1>(e); }
+  static Line2D second(const EdgeSE2Line2D& e) { return estimate<0>(e) * e.measurement(); }
+};
 
-}  // namespace
+template <>
+struct EdgeModel<EdgeLine2D> {
+  using Native = boxplus::LineDifference2;
+  static Line2D measured(const EdgeLine2D& e) {
+    const VertexLine2D &from = *e.vertexXn<0>(), &to = *e.vertexXn<1>();
+    return Vector2(normalize_theta(to.theta() - from.theta()), to.rho() - from.rho());
+  }
+  static Line2D first(const EdgeLine2D& e) { return moved(estimate<1>(e), -e.measurement()); }
+  static Line2D second(const EdgeLine2D& e) { return moved(estimate<0>(e), e.measurement()); }
+
+ private:
+  static Line2D moved(const Line2D& line, const Vector2& by) {
+    return Vector2(normalize_theta(line[0] + by[0]), line[1] + by[1]);
+  }
+};
+
+template <>
+struct EdgeModel<EdgeLine2DPointXY> {
+  using Native = boxplus::PointToLine2;
+  static double measured(const EdgeLine2DPointXY& e) {
+    return Native(0).error(native_value(*e.vertexXn<0>()), native_value(*e.vertexXn<1>()));
+  }
+};
+
+template struct EdgeFunctions<EdgeSE2Line2D>;
+template struct EdgeFunctions<EdgeLine2D>;
+template struct EdgeFunctions<EdgeLine2DPointXY>;
+
+}  // namespace internal
 
 EdgeSE2Line2D::EdgeSE2Line2D() = default;
-
-void EdgeSE2Line2D::computeError() {
-  _error = Observation(_measurement).error(adapters::pose(*vertexXn<0>()), adapters::line(*vertexXn<1>()));
-}
-
-void EdgeSE2Line2D::linearizeOplus() {
-  adapters::linearize(
-      Observation(_measurement),
-      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), _jacobianOplusXi.data()},
-      adapters::Argument<boxplus::Line2>{adapters::line(*vertexXn<1>()), _jacobianOplusXj.data()});
-}
-
-bool EdgeSE2Line2D::read(std::istream& is) {
-  return adapters::read_edge<Observation>(is, 2, _information,
-                                          [this](const auto& z) { setMeasurement(Vector2(z)); });
-}
-
-bool EdgeSE2Line2D::write(std::ostream& os) const {
-  return adapters::write_edge(os, Observation(_measurement), _information);
-}
-
-bool EdgeSE2Line2D::setMeasurementData(const double* d) {
-  setMeasurement(Vector2(d));
-  return true;
-}
-
-bool EdgeSE2Line2D::getMeasurementData(double* d) const {
-  std::copy_n(_measurement.data(), 2, d);
-  return true;
-}
-
-bool EdgeSE2Line2D::setMeasurementFromState() {
-  setMeasurement(vertexXn<0>()->estimate().inverse() * vertexXn<1>()->estimate());
-  return true;
-}
-
-double EdgeSE2Line2D::initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                              OptimizableGraph::Vertex* to) {
-  return from.count(_vertices[0]) > 0 && to == vertexXn<1>() ? 1. : -1.;
-}
-
-void EdgeSE2Line2D::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * _measurement);
-}
-
 EdgeLine2D::EdgeLine2D() = default;
-
-void EdgeLine2D::computeError() {
-  _error = Difference(_measurement).error(adapters::line(*vertexXn<0>()), adapters::line(*vertexXn<1>()));
-}
-
-void EdgeLine2D::linearizeOplus() {
-  adapters::linearize(
-      Difference(_measurement),
-      adapters::Argument<boxplus::Line2>{adapters::line(*vertexXn<0>()), _jacobianOplusXi.data()},
-      adapters::Argument<boxplus::Line2>{adapters::line(*vertexXn<1>()), _jacobianOplusXj.data()});
-}
-
-bool EdgeLine2D::read(std::istream& is) {
-  return adapters::read_edge<Difference>(is, 2, _information,
-                                         [this](const auto& z) { setMeasurement(Vector2(z)); });
-}
-
-bool EdgeLine2D::write(std::ostream& os) const {
-  return adapters::write_edge(os, Difference(_measurement), _information);
-}
-
-bool EdgeLine2D::setMeasurementData(const double* d) {
-  setMeasurement(Vector2(d));
-  return true;
-}
-
-bool EdgeLine2D::getMeasurementData(double* d) const {
-  std::copy_n(_measurement.data(), 2, d);
-  return true;
-}
-
-bool EdgeLine2D::setMeasurementFromState() {
-  const VertexLine2D &from = *vertexXn<0>(), &to = *vertexXn<1>();
-  setMeasurement(Vector2(normalize_theta(to.theta() - from.theta()), to.rho() - from.rho()));
-  return true;
-}
-
-double EdgeLine2D::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  return 1.;
-}
-
-void EdgeLine2D::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
-  const bool forward = from.count(_vertices[0]) > 0;
-  const double sign = forward ? 1 : -1;
-  const VertexLine2D& known = forward ? *vertexXn<0>() : *vertexXn<1>();
-  VertexLine2D& guessed = forward ? *vertexXn<1>() : *vertexXn<0>();
-  guessed.setTheta(normalize_theta(known.theta() + sign * _measurement[0]));
-  guessed.setRho(known.rho() + sign * _measurement[1]);
-}
-
-EdgeLine2DPointXY::EdgeLine2DPointXY() {
-  _measurement = 0;
-}
-
-void EdgeLine2DPointXY::computeError() {
-  _error[0] = Distance(_measurement).error(adapters::line(*vertexXn<0>()), adapters::point(*vertexXn<1>()));
-}
-
-void EdgeLine2DPointXY::linearizeOplus() {
-  adapters::linearize(
-      Distance(_measurement),
-      adapters::Argument<boxplus::Line2>{adapters::line(*vertexXn<0>()), _jacobianOplusXi.data()},
-      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<1>()), _jacobianOplusXj.data()});
-}
-
-bool EdgeLine2DPointXY::read(std::istream& is) {
-  return adapters::read_edge<Distance>(is, 1, _information, [this](double z) { setMeasurement(z); });
-}
-
-bool EdgeLine2DPointXY::write(std::ostream& os) const {
-  return adapters::write_edge(os, Distance(_measurement), _information);
-}
-
-bool EdgeLine2DPointXY::setMeasurementData(const double* d) {
-  setMeasurement(d[0]);
-  return true;
-}
-
-bool EdgeLine2DPointXY::getMeasurementData(double* d) const {
-  d[0] = _measurement;
-  return true;
-}
-
-bool EdgeLine2DPointXY::setMeasurementFromState() {
-  computeError();
-  setMeasurement(_measurement + _error[0]);
-  return true;
-}
+EdgeLine2DPointXY::EdgeLine2DPointXY() = default;
 
 }  // namespace g2o

@@ -41,4 +41,34 @@ inline Isometry3 to_g2o(const boxplus::SE3& x) {
 }
 
 }  // namespace adapters
+
+inline boxplus::SE3 native_value(const VertexSE3& v) {
+  return adapters::pose(v);
+}
+inline boxplus::Vector3 native_value(const VertexPointXYZ& v) {
+  return v.estimate();
+}
+
+namespace internal {
+
+template <>
+struct MeasurementAdapter<Isometry3> {
+  using Kept = KeptMeasurement<Isometry3>;
+  static constexpr int kSize = 7;
+  using Native = boxplus::SE3;
+  static Native native(const Isometry3& z, const Kept& kept) {
+    return adapters::pose(z, kept.rotation_.get(z));
+  }
+  static Isometry3 to_g2o(const Native& z) { return adapters::to_g2o(z); }
+  /// Keeps the digits of the quaternion in a file.
+  static void remember(const Native& read, Isometry3& z, Kept& kept) {
+    kept.rotation_.set(adapters::quaternion(read), z.linear());
+  }
+  static Isometry3 from_data(const double* d) { return fromVectorQT(Eigen::Map<const Vector7>(d)); }
+  static Vector7 to_data(const Isometry3& z, const Kept& kept) {
+    return Eigen::Map<const Vector7>(native(z, kept).data());
+  }
+};
+
+}  // namespace internal
 }  // namespace g2o

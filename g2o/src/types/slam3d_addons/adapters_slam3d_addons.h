@@ -33,4 +33,34 @@ inline Line3D to_g2o(const boxplus::Line3& l) {
 }
 
 }  // namespace adapters
+
+inline boxplus::Plane3 native_value(const VertexPlane& v) {
+  return adapters::plane(v.estimate());
+}
+inline boxplus::Line3 native_value(const VertexLine3D& v) {
+  return adapters::line(v);
+}
+
+namespace internal {
+
+template <>
+struct MeasurementAdapter<Plane3D> {
+  static constexpr int kSize = 4;
+  using Native = boxplus::Plane3;
+  static Native native(const Plane3D& z, const KeptMeasurement<Plane3D>&) { return adapters::plane(z); }
+  static Plane3D to_g2o(const Native& z) { return Plane3D(z.coefficients); }
+  static Plane3D from_data(const double* d) { return Plane3D(Vector4(d)); }
+  static Vector4 to_data(const Plane3D& z, const KeptMeasurement<Plane3D>&) { return z.coeffs(); }
+};
+
+template <>
+struct MeasurementAdapter<Line3D> {
+  static constexpr int kSize = 6;
+  using Native = boxplus::Line3;
+  static Native native(const Line3D& z, const KeptMeasurement<Line3D>&) { return adapters::line(z); }
+  static Line3D from_data(const double* d) { return Line3D(Vector6(d)); }
+  static Vector6 to_data(const Line3D& z, const KeptMeasurement<Line3D>&) { return z; }
+};
+
+}  // namespace internal
 }  // namespace g2o

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "g2o/types/slam3d_addons/edge_se3_line.h"
+#include "types/ready_made_edge.h"
 #include "types/slam3d_addons/adapters_slam3d_addons.h"
 
 namespace g2o {
 namespace {
 
-using Observation = boxplus::LineObservation3;
 using NativeLine = boxplus::Manifold<boxplus::Line3>;
 
 /// Reads w and d, which stay as they are: as in g2o, w may have a part along d, for example because it was
@@ -93,62 +94,29 @@ bool VertexLine3D::setEstimateDataImpl(const double* est) {
   return true;
 }
 
+namespace internal {
+
+template <>
+struct EdgeModel<EdgeSE3Line3D> {
+  using Native = boxplus::LineObservation3;
+  static auto parameters(const EdgeSE3Line3D& e) { return std::tuple(adapters::pose(*e.offsetParameter())); }
+  static Line3D from_file(boxplus::FieldReader& in) { return read_line(in); }
+  static Line3D measured(const EdgeSE3Line3D& e) {
+    const Isometry3 sensor = estimate<0>(e) * e.offsetParameter()->offset();
+    return sensor.inverse() * estimate<1>(e);
+  }
+  static Line3D second(const EdgeSE3Line3D& e) {
+    return estimate<0>(e) * e.offsetParameter()->offset() * e.measurement();
+  }
+};
+
+template struct EdgeFunctions<EdgeSE3Line3D>;
+
+}  // namespace internal
+
 EdgeSE3Line3D::EdgeSE3Line3D() {
   resizeParameters(1);
   installParameter(offsetParam, 0);
-}
-
-void EdgeSE3Line3D::computeError() {
-  _error = Observation(adapters::line(_measurement))
-               .error(adapters::pose(*vertexXn<0>()), adapters::line(*vertexXn<1>()),
-                      adapters::pose(*offsetParam));
-}
-
-void EdgeSE3Line3D::linearizeOplus() {
-  adapters::linearize(
-      Observation(adapters::line(_measurement)),
-      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), _jacobianOplusXi.data()},
-      adapters::Argument<boxplus::Line3>{adapters::line(*vertexXn<1>()), _jacobianOplusXj.data()},
-      adapters::Argument<boxplus::SE3>{adapters::pose(*offsetParam), nullptr});
-}
-
-bool EdgeSE3Line3D::read(std::istream& is) {
-  const int fields = 6 + adapters::omega_fields(_information);
-  return readParamIds(is) && adapters::read_fields(is, fields, [this](boxplus::FieldReader& in) {
-           const Line3D line = read_line(in);
-           adapters::read_omega(in, _information);
-           setMeasurement(line);
-         });
-}
-
-bool EdgeSE3Line3D::write(std::ostream& os) const {
-  return writeParamIds(os) &&
-         adapters::write_edge(os, Observation(adapters::line(_measurement)), _information);
-}
-
-bool EdgeSE3Line3D::setMeasurementData(const double* d) {
-  setMeasurement(Line3D(Vector6(d)));
-  return true;
-}
-
-bool EdgeSE3Line3D::getMeasurementData(double* d) const {
-  std::copy_n(_measurement.data(), 6, d);
-  return true;
-}
-
-bool EdgeSE3Line3D::setMeasurementFromState() {
-  const Isometry3 sensor = vertexXn<0>()->estimate() * offsetParam->offset();
-  setMeasurement(sensor.inverse() * vertexXn<1>()->estimate());
-  return true;
-}
-
-double EdgeSE3Line3D::initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                              OptimizableGraph::Vertex* to) {
-  return from.count(_vertices[0]) > 0 && to == vertexXn<1>() ? 1. : -1.;
-}
-
-void EdgeSE3Line3D::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * offsetParam->offset() * _measurement);
 }
 
 }  // namespace g2o

@@ -3,15 +3,10 @@
 
 #include "g2o/types/slam3d_addons/edge_plane.h"
 #include "g2o/types/slam3d_addons/edge_se3_plane_calib.h"
+#include "types/ready_made_edge.h"
 #include "types/slam3d_addons/adapters_slam3d_addons.h"
 
 namespace g2o {
-namespace {
-
-using Observation = boxplus::PlaneObservation3;
-using Difference = boxplus::PlaneDifference3;
-
-}  // namespace
 
 void Plane3D::oplus(const Vector3& v) {
   fromVector(boxplus::Manifold<boxplus::Plane3>::oplus(adapters::plane(*this), v.data()).coefficients);
@@ -53,98 +48,39 @@ bool VertexPlane::setEstimateDataImpl(const double* est) {
   return true;
 }
 
-EdgePlane::EdgePlane() {
-  _measurement.setZero();
-}
+namespace internal {
 
-void EdgePlane::computeError() {
-  _error = Difference(_measurement)
-               .error(adapters::plane(vertexXn<0>()->estimate()), adapters::plane(vertexXn<1>()->estimate()));
-}
+template <>
+struct EdgeModel<EdgePlane> {
+  using Native = boxplus::PlaneDifference3;
+  static Vector4 measured(const EdgePlane& e) { return estimate<1>(e).coeffs() - estimate<0>(e).coeffs(); }
+};
 
-void EdgePlane::linearizeOplus() {
-  adapters::linearize(Difference(_measurement),
-                      adapters::Argument<boxplus::Plane3>{adapters::plane(vertexXn<0>()->estimate()),
-                                                          _jacobianOplusXi.data()},
-                      adapters::Argument<boxplus::Plane3>{adapters::plane(vertexXn<1>()->estimate()),
-                                                          _jacobianOplusXj.data()});
-}
+template <>
+struct EdgeModel<EdgeSE3PlaneSensorCalib> {
+  using Native = boxplus::PlaneObservation3;
+  static constexpr int kFields = 7;
+  static Native native(const EdgeSE3PlaneSensorCalib& e) {
+    return Native(adapters::plane(e.measurement(), e.color));
+  }
+  static void taken(EdgeSE3PlaneSensorCalib& e, const Native& read) {
+    e.color = adapters::color(read.measurement);
+  }
+  static Plane3D measured(const EdgeSE3PlaneSensorCalib& e) {
+    const Isometry3 sensor = estimate<0>(e) * estimate<2>(e);
+    return sensor.inverse() * estimate<1>(e);
+  }
+  static Plane3D second(const EdgeSE3PlaneSensorCalib& e) {
+    return estimate<0>(e) * estimate<2>(e) * e.measurement();
+  }
+};
 
-bool EdgePlane::read(std::istream& is) {
-  return adapters::read_edge<Difference>(is, 4, _information, [this](const auto& z) { setMeasurement(z); });
-}
+template struct EdgeFunctions<EdgePlane>;
+template struct EdgeFunctions<EdgeSE3PlaneSensorCalib>;
 
-bool EdgePlane::write(std::ostream& os) const {
-  return adapters::write_edge(os, Difference(_measurement), _information);
-}
+}  // namespace internal
 
-bool EdgePlane::setMeasurementData(const double* d) {
-  setMeasurement(Vector4(d));
-  return true;
-}
-
-bool EdgePlane::getMeasurementData(double* d) const {
-  std::copy_n(_measurement.data(), 4, d);
-  return true;
-}
-
-bool EdgePlane::setMeasurementFromState() {
-  setMeasurement(vertexXn<1>()->estimate().coeffs() - vertexXn<0>()->estimate().coeffs());
-  return true;
-}
-
+EdgePlane::EdgePlane() = default;
 EdgeSE3PlaneSensorCalib::EdgeSE3PlaneSensorCalib() = default;
-
-void EdgeSE3PlaneSensorCalib::computeError() {
-  _error = Observation(adapters::plane(_measurement))
-               .error(adapters::pose(*vertexXn<0>()), adapters::plane(vertexXn<1>()->estimate()),
-                      adapters::pose(*vertexXn<2>()));
-}
-
-void EdgeSE3PlaneSensorCalib::linearizeOplus() {
-  adapters::linearize(
-      Observation(adapters::plane(_measurement)),
-      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      adapters::Argument<boxplus::Plane3>{adapters::plane(vertexXn<1>()->estimate()),
-                                          std::get<1>(_jacobianOplus).data()},
-      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
-}
-
-bool EdgeSE3PlaneSensorCalib::read(std::istream& is) {
-  return adapters::read_edge<Observation>(is, 7, _information, [this](const auto& z) {
-    setMeasurement(Plane3D(z.coefficients));
-    color = adapters::color(z);
-  });
-}
-
-bool EdgeSE3PlaneSensorCalib::write(std::ostream& os) const {
-  return adapters::write_edge(os, Observation(adapters::plane(_measurement, color)), _information);
-}
-
-bool EdgeSE3PlaneSensorCalib::setMeasurementData(const double* d) {
-  setMeasurement(Plane3D(Vector4(d)));
-  return true;
-}
-
-bool EdgeSE3PlaneSensorCalib::getMeasurementData(double* d) const {
-  std::copy_n(_measurement.coeffs().data(), 4, d);
-  return true;
-}
-
-bool EdgeSE3PlaneSensorCalib::setMeasurementFromState() {
-  const Isometry3 sensor = vertexXn<0>()->estimate() * vertexXn<2>()->estimate();
-  setMeasurement(sensor.inverse() * vertexXn<1>()->estimate());
-  return true;
-}
-
-double EdgeSE3PlaneSensorCalib::initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                                        OptimizableGraph::Vertex* to) {
-  const bool knows_sensor = from.count(_vertices[0]) > 0 && from.count(_vertices[2]) > 0;
-  return knows_sensor && to == vertexXn<1>() ? 1. : -1.;
-}
-
-void EdgeSE3PlaneSensorCalib::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * vertexXn<2>()->estimate() * _measurement);
-}
 
 }  // namespace g2o

@@ -5,7 +5,7 @@
 #ifndef G2O_TYPES_ICP
 #define G2O_TYPES_ICP
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/icp/g2o_types_icp_api.h"
 #include "g2o/types/sba/types_sba.h"
 #include "g2o/types/slam3d/types_slam3d.h"
@@ -93,16 +93,10 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
 
 /// The measured image coordinates z (pixels) of a point in a stereo camera. Error: (u, v, u_right) − z. The
 /// type has no tag.
-class G2O_TYPES_ICP_API Edge_XYZ_VSC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam> {
+class G2O_TYPES_ICP_API Edge_XYZ_VSC
+    : public ReadyMadeEdge<Edge_XYZ_VSC, 3, Vector3, VertexPointXYZ, VertexSCam> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   Edge_XYZ_VSC();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 };
 
 }  // namespace g2o

@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTP2SC_H
 #define G2O_SBA_EDGEPROJECTP2SC_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/vertex_cam.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 
@@ -11,16 +11,10 @@ namespace g2o {
 
 /// The measured image coordinates z (pixels) of a point in a stereo camera: u, v, and u in the right camera.
 /// Error: (u, v, u_right) − z. Tag: EDGE_PROJECT_P2SC.
-class G2O_TYPES_SBA_API EdgeProjectP2SC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexCam> {
+class G2O_TYPES_SBA_API EdgeProjectP2SC
+    : public ReadyMadeEdge<EdgeProjectP2SC, 3, Vector3, VertexPointXYZ, VertexCam> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeProjectP2SC();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexCam>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 };
 
 }  // namespace g2o

@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTPSI2UV_H
 #define G2O_SBA_EDGEPROJECTPSI2UV_H
 
-#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/parameter_cameraparameters.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
@@ -15,16 +15,9 @@ namespace g2o {
 /// second vertex is the camera T, and the third vertex is the anchor T_a. Error: z − cam(T T_a⁻¹ p). Tag:
 /// EDGE_PROJECT_PSI2UV:EXPMAP, which g2o does not register.
 class G2O_TYPES_SBA_API EdgeProjectPSI2UV
-    : public BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap> {
+    : public ReadyMadeEdge<EdgeProjectPSI2UV, 2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeProjectPSI2UV();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 
   CameraParameters* _cam = nullptr;
 };

@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTSTEREOXYZ_H
 #define G2O_SBA_EDGEPROJECTSTEREOXYZ_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 
@@ -14,16 +14,9 @@ namespace g2o {
 /// Ω. If the camera parameters are missing, image coordinates are normalized. Tag:
 /// EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZ
-    : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap> {
+    : public ReadyMadeEdge<EdgeStereoSE3ProjectXYZ, 3, Vector3, VertexPointXYZ, VertexSE3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeStereoSE3ProjectXYZ();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 
   /// Returns whether the point is in front of the cameras.
   virtual bool isDepthPositive();

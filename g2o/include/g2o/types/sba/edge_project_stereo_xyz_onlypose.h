@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTSTEREOXYZONLYPOSE_H
 #define G2O_SBA_EDGEPROJECTSTEREOXYZONLYPOSE_H
 
-#include "g2o/core/base_unary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 
 namespace g2o {
@@ -11,16 +11,10 @@ namespace g2o {
 /// The measured image coordinates z (pixels) of the known point Xw in a stereo camera T. Error: z − (u, v,
 /// u_right), with the image coordinates of T Xw as in EdgeStereoSE3ProjectXYZ. In files, the point and the
 /// camera parameters follow Ω. Tag: EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
-class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3, Vector3, VertexSE3Expmap> {
+class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose
+    : public ReadyMadeEdge<EdgeStereoSE3ProjectXYZOnlyPose, 3, Vector3, VertexSE3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeStereoSE3ProjectXYZOnlyPose();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseUnaryEdge<3, Vector3, VertexSE3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 
   /// Returns whether the point is in front of the cameras.
   virtual bool isDepthPositive();

@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTXYZ_H
 #define G2O_SBA_EDGEPROJECTXYZ_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 
@@ -13,16 +13,9 @@ namespace g2o {
 /// position (u, v) of T p. In files, the camera parameters follow Ω. If the camera parameters are missing,
 /// image coordinates are normalized. Tag: EDGE_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
-    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
+    : public ReadyMadeEdge<EdgeSE3ProjectXYZ, 2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3ProjectXYZ();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 
   /// Returns whether the point is in front of the camera.
   virtual bool isDepthPositive();

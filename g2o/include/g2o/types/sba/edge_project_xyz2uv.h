@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTXYZ2UV_H
 #define G2O_SBA_EDGEPROJECTXYZ2UV_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/parameter_cameraparameters.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
@@ -13,16 +13,9 @@ namespace g2o {
 /// The measured image position z (pixels) of a point p in a camera T. Error: z − cam(T p).
 /// Tag: EDGE_PROJECT_XYZ2UV:EXPMAP.
 class G2O_TYPES_SBA_API EdgeProjectXYZ2UV
-    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
+    : public ReadyMadeEdge<EdgeProjectXYZ2UV, 2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeProjectXYZ2UV();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 
   CameraParameters* _cam = nullptr;
 };

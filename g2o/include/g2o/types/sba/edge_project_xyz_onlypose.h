@@ -3,7 +3,7 @@
 #ifndef G2O_SBA_EDGEPROJECTXYZONLYPOSE_H
 #define G2O_SBA_EDGEPROJECTXYZONLYPOSE_H
 
-#include "g2o/core/base_unary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 
 namespace g2o {
@@ -11,16 +11,10 @@ namespace g2o {
 /// The measured image position z (pixels) of the known point Xw in a camera T. Error: z − (u, v), with the
 /// image position (u, v) of T Xw. In files, the point and the camera parameters follow Ω. Tag:
 /// EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
-class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vector2, VertexSE3Expmap> {
+class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose
+    : public ReadyMadeEdge<EdgeSE3ProjectXYZOnlyPose, 2, Vector2, VertexSE3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3ProjectXYZOnlyPose();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseUnaryEdge<2, Vector2, VertexSE3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 
   /// Returns whether the point is in front of the camera.
   virtual bool isDepthPositive();

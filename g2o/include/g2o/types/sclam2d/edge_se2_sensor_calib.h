@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_SENSOR_CALIB_H
 #define G2O_EDGE_SE2_SENSOR_CALIB_H
 
-#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sclam2d/g2o_types_sclam2d_api.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 
@@ -12,29 +12,9 @@ namespace g2o {
 /// The motion z of a sensor between two robot poses x₁ and x₂. The pose l of the sensor on the robot is a
 /// vertex, too. Vertices: x₁, x₂, l. Error: (x, y, θ) of z⁻¹ (x₁ l)⁻¹ (x₂ l). Tag: EDGE_SE2_CALIB.
 class G2O_TYPES_SCLAM2D_API EdgeSE2SensorCalib
-    : public BaseFixedSizedEdge<3, SE2, VertexSE2, VertexSE2, VertexSE2> {
+    : public ReadyMadeEdge<EdgeSE2SensorCalib, 3, SE2, VertexSE2, VertexSE2, VertexSE2> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2SensorCalib();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseFixedSizedEdge<3, SE2, VertexSE2, VertexSE2, VertexSE2>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-  void setMeasurement(const SE2& m) override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 3; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-
- protected:
-  SE2 _inverseMeasurement;
 };
 
 /// The action "draw" of EdgeSE2SensorCalib.

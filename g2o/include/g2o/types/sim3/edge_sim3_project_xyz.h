@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SIM3_PROJECT_XYZ_H
 #define G2O_EDGE_SIM3_PROJECT_XYZ_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/sba/types_sba.h"
 #include "g2o/types/sim3/vertex_sim3_expmap.h"
 
@@ -12,31 +12,17 @@ namespace g2o {
 /// The measured image position z (pixels) of a point p in the first camera of a vertex S. Error: z − cam1(S
 /// p). Tag: EDGE_PROJECT_SIM3_XYZ:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeSim3ProjectXYZ
-    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
+    : public ReadyMadeEdge<EdgeSim3ProjectXYZ, 2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSim3ProjectXYZ();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 };
 
 /// The measured image position z (pixels) of a point p in the second camera of a vertex S. p is in the frame
 /// of the first camera. Error: z − cam2(S⁻¹ p). Tag: EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeInverseSim3ProjectXYZ
-    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
+    : public ReadyMadeEdge<EdgeInverseSim3ProjectXYZ, 2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeInverseSim3ProjectXYZ();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
 };
 
 }  // namespace g2o

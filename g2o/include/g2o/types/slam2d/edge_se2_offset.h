@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_OFFSET_H_
 #define G2O_EDGE_SE2_OFFSET_H_
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/parameter_se2_offset.h"
 #include "g2o/types/slam2d/se2.h"
 #include "g2o/types/slam2d/vertex_se2.h"
@@ -12,32 +12,15 @@ namespace g2o {
 
 /// The measured motion z from a sensor at a pose x₁ to a sensor at a pose x₂. P₁ and P₂ are the poses of the
 /// sensors on the robot. Error: (x, y, θ) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂). Tag: EDGE_SE2_OFFSET.
-class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2> {
+class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public ReadyMadeEdge<EdgeSE2Offset, 3, SE2, VertexSE2, VertexSE2> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2Offset();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-  void setMeasurement(const SE2& m) override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 3; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-  using BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2>::linearizeOplus;
+  friend struct internal::EdgeModel<EdgeSE2Offset>;
 
  protected:
   /// Finds the caches if the object belongs to a derived class. EdgeSE2Offset itself does not use them.
   bool resolveCaches() override;
 
-  SE2 _inverseMeasurement;
   ParameterSE2Offset* _offsetFrom = nullptr;
   ParameterSE2Offset* _offsetTo = nullptr;
   CacheSE2Offset* _cacheFrom = nullptr;  ///< set only in derived classes

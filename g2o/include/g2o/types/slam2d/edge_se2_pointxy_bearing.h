@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_POINT_XY_BEARING_H
 #define G2O_EDGE_SE2_POINT_XY_BEARING_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 
@@ -12,25 +12,9 @@ namespace g2o {
 /// The measured bearing z (radians) of a landmark l in the frame of a pose x. Error: z minus the angle of the
 /// vector x⁻¹ l, wrapped to (−π, π]. Tag: EDGE_BEARING_SE2_XY.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXYBearing
-    : public BaseBinaryEdge<1, double, VertexSE2, VertexPointXY> {
+    : public ReadyMadeEdge<EdgeSE2PointXYBearing, 1, double, VertexSE2, VertexPointXY> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2PointXYBearing();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 1; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-  using BaseBinaryEdge<1, double, VertexSE2, VertexPointXY>::linearizeOplus;
 };
 
 /// The action "writeGnuplot" of EdgeSE2PointXYBearing.

@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_POINT_XY_CALIB_H
 #define G2O_EDGE_SE2_POINT_XY_CALIB_H
 
-#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 
@@ -13,25 +13,9 @@ namespace g2o {
 /// robot, the landmark, and the pose c of the sensor on the robot. Error: (x c)⁻¹ l − z. Tag:
 /// EDGE_SE2_XY_CALIB.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXYCalib
-    : public BaseFixedSizedEdge<2, Vector2, VertexSE2, VertexPointXY, VertexSE2> {
+    : public ReadyMadeEdge<EdgeSE2PointXYCalib, 2, Vector2, VertexSE2, VertexPointXY, VertexSE2> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2PointXYCalib();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 2; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-  using BaseFixedSizedEdge<2, Vector2, VertexSE2, VertexPointXY, VertexSE2>::linearizeOplus;
 };
 
 }  // namespace g2o

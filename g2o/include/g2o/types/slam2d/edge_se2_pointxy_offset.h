@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/parameter_se2_offset.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
@@ -15,25 +15,10 @@ namespace g2o {
 /// The measured position z of a landmark l in the frame of a sensor. x is the pose of the robot, and P is the
 /// pose of the sensor on the robot. Error: (x P)⁻¹ l − z. Tag: EDGE_SE2_POINTXY_OFFSET.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXYOffset
-    : public BaseBinaryEdge<2, Vector2, VertexSE2, VertexPointXY> {
+    : public ReadyMadeEdge<EdgeSE2PointXYOffset, 2, Vector2, VertexSE2, VertexPointXY> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2PointXYOffset();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 2; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-  using BaseBinaryEdge<2, Vector2, VertexSE2, VertexPointXY>::linearizeOplus;
+  friend struct internal::EdgeModel<EdgeSE2PointXYOffset>;
 
  protected:
   std::array<ParameterSE2Offset*, 1> _offsets{};

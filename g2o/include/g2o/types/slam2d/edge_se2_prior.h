@@ -3,36 +3,16 @@
 #ifndef G2O_EDGE_SE2_PRIOR_H
 #define G2O_EDGE_SE2_PRIOR_H
 
-#include "g2o/core/base_unary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/se2.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 
 namespace g2o {
 
 /// A prior z for a pose x. Error: (x, y, θ) of z⁻¹ x. Tag: EDGE_PRIOR_SE2.
-class G2O_TYPES_SLAM2D_API EdgeSE2Prior : public BaseUnaryEdge<3, SE2, VertexSE2> {
+class G2O_TYPES_SLAM2D_API EdgeSE2Prior : public ReadyMadeEdge<EdgeSE2Prior, 3, SE2, VertexSE2> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2Prior();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-  void setMeasurement(const SE2& m) override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 3; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-  using BaseUnaryEdge<3, SE2, VertexSE2>::linearizeOplus;
-
- protected:
-  SE2 _inverseMeasurement;
 };
 
 }  // namespace g2o

@@ -64,6 +64,19 @@ class SE2 {
   Vector2 _t;
 };
 
+namespace internal {
+
+template <class E>
+struct KeptMeasurement;
+
+/// A measured motion and its inverse (see ReadyMadeEdge).
+template <>
+struct KeptMeasurement<SE2> {
+  SE2 _inverseMeasurement;
+  void keep(const SE2& m) { _inverseMeasurement = m.inverse(); }
+};
+
+}  // namespace internal
 }  // namespace g2o
 
 #endif  // G2O_SE2_H_

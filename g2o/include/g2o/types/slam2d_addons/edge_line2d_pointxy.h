@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_LINE2D_POINTXY_H
 #define G2O_EDGE_LINE2D_POINTXY_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d_addons/vertex_line2d.h"
 
@@ -12,21 +12,9 @@ namespace g2o {
 /// The measured distance z of a point p from a line, along the normal n of the line. Error: n·p − ρ − z. Tag:
 /// EDGE_LINE2D_POINTXY.
 class G2O_TYPES_SLAM2D_ADDONS_API EdgeLine2DPointXY
-    : public BaseBinaryEdge<1, double, VertexLine2D, VertexPointXY> {
+    : public ReadyMadeEdge<EdgeLine2DPointXY, 1, double, VertexLine2D, VertexPointXY> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeLine2DPointXY();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<1, double, VertexLine2D, VertexPointXY>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 1; }
-  bool setMeasurementFromState() override;
 };
 
 }  // namespace g2o

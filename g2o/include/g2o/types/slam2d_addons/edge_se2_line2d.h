@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_LINE2D_H
 #define G2O_EDGE_SE2_LINE2D_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 #include "g2o/types/slam2d_addons/vertex_line2d.h"
 
@@ -11,25 +11,10 @@ namespace g2o {
 
 /// The measured line z in the frame of a pose x. Error: x⁻¹ line − z, with the angle wrapped. Tag:
 /// EDGE_SE2_LINE2D.
-class G2O_TYPES_SLAM2D_ADDONS_API EdgeSE2Line2D : public BaseBinaryEdge<2, Line2D, VertexSE2, VertexLine2D> {
+class G2O_TYPES_SLAM2D_ADDONS_API EdgeSE2Line2D
+    : public ReadyMadeEdge<EdgeSE2Line2D, 2, Line2D, VertexSE2, VertexLine2D> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2Line2D();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<2, Line2D, VertexSE2, VertexLine2D>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 2; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 };
 
 }  // namespace g2o

@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_SEGMENT2D_LINE_H
 #define G2O_EDGE_SE2_SEGMENT2D_LINE_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 #include "g2o/types/slam2d_addons/vertex_segment2d.h"
 
@@ -13,26 +13,14 @@ namespace g2o {
 /// direction from s₁ to s₂, turned by −90°), and its distance along n. Error: (wrap(∠n − θ), n·(s₁ + s₂)/2 −
 /// ρ), with s in the frame of the pose. Tag: EDGE_SE2_SEGMENT2D_LINE.
 class G2O_TYPES_SLAM2D_ADDONS_API EdgeSE2Segment2DLine
-    : public BaseBinaryEdge<2, Vector2, VertexSE2, VertexSegment2D> {
+    : public ReadyMadeEdge<EdgeSE2Segment2DLine, 2, Vector2, VertexSE2, VertexSegment2D> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2Segment2DLine();
 
   double theta() const { return _measurement[0]; }
   double rho() const { return _measurement[1]; }
   void setTheta(double theta) { _measurement[0] = theta; }
   void setRho(double rho) { _measurement[1] = rho; }
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<2, Vector2, VertexSE2, VertexSegment2D>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 2; }
-  bool setMeasurementFromState() override;
 };
 
 }  // namespace g2o

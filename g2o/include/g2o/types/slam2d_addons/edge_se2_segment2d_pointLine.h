@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE2_SEGMENT2D_POINTLINE_H
 #define G2O_EDGE_SE2_SEGMENT2D_POINTLINE_H
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 #include "g2o/types/slam2d_addons/vertex_segment2d.h"
 
@@ -12,9 +12,8 @@ namespace g2o {
 /// One measured end point (x, y) of a segment in the frame of a pose, and the measured angle θ of its normal
 /// (see EdgeSE2Segment2DLine). Error: (x⁻¹ sₖ − (x, y), wrap(∠n − θ)). Tag: EDGE_SE2_SEGMENT2D_POINTLINE.
 class G2O_TYPES_SLAM2D_ADDONS_API EdgeSE2Segment2DPointLine
-    : public BaseBinaryEdge<3, Vector3, VertexSE2, VertexSegment2D> {
+    : public ReadyMadeEdge<EdgeSE2Segment2DPointLine, 3, Vector3, VertexSE2, VertexSegment2D> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2Segment2DPointLine();
 
   Vector2 point() const { return _measurement.head<2>(); }
@@ -24,17 +23,6 @@ class G2O_TYPES_SLAM2D_ADDONS_API EdgeSE2Segment2DPointLine
   /// Which end point is measured: 0 or 1.
   int pointNum() const { return _pointNum; }
   void setPointNum(int pointNum) { _pointNum = pointNum; }
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<3, Vector3, VertexSE2, VertexSegment2D>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 3; }
-  bool setMeasurementFromState() override;
 
  protected:
   int _pointNum = 0;

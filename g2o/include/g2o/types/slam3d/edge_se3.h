@@ -3,39 +3,16 @@
 #ifndef G2O_EDGE_SE3_H_
 #define G2O_EDGE_SE3_H_
 
-#include "g2o/core/base_binary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam3d/vertex_se3.h"
 
 namespace g2o {
 
 /// The measured motion z from a pose x₁ to a pose x₂. Error: the translation of z⁻¹ x₁⁻¹ x₂ and the vector
 /// part of its unit quaternion with w ≥ 0. Tag: EDGE_SE3:QUAT.
-class G2O_TYPES_SLAM3D_API EdgeSE3 : public BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3> {
+class G2O_TYPES_SLAM3D_API EdgeSE3 : public ReadyMadeEdge<EdgeSE3, 6, Isometry3, VertexSE3, VertexSE3> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-  void setMeasurement(const Isometry3& m) override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 7; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-
- protected:
-  Isometry3 _inverseMeasurement;
-
- private:
-  internal::RotationMemory rotation_;
 };
 
 /// The action "writeGnuplot" of EdgeSE3.

@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE3_PRIOR_XYZ_H
 #define G2O_EDGE_SE3_PRIOR_XYZ_H
 
-#include "g2o/core/base_unary_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
 #include "g2o/types/slam3d/vertex_se3.h"
 
@@ -11,26 +11,11 @@ namespace g2o {
 
 /// A prior z for the position of a pose x. Error: t − z, with the translation t of x. In files, the edge has
 /// the id of an offset parameter, but the error does not use the parameter. Tag: EDGE_SE3_XYZ_PRIOR.
-class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public BaseUnaryEdge<3, Vector3, VertexSE3> {
+class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public ReadyMadeEdge<EdgeSE3XYZPrior, 3, Vector3, VertexSE3> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3XYZPrior();
 
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseUnaryEdge<3, Vector3, VertexSE3>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
   const ParameterSE3Offset* offsetParameter() const { return offsetParam; }
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 3; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
   /// Finds _cache if the object belongs to a derived class. EdgeSE3XYZPrior itself does not use it.

@@ -28,6 +28,20 @@ class G2O_TYPES_SLAM3D_API RotationMemory {
   Coefficients quaternion_{{0, 0, 0, 1}};
 };
 
+template <class E>
+struct KeptMeasurement;
+
+/// A measured motion, its inverse and its quaternion (see ReadyMadeEdge).
+template <>
+struct KeptMeasurement<Isometry3> {
+  Isometry3 _inverseMeasurement = Isometry3::Identity();
+  RotationMemory rotation_;
+  void keep(const Isometry3& m) {
+    _inverseMeasurement = m.inverse();
+    rotation_.keep(m);
+  }
+};
+
 }  // namespace internal
 }  // namespace g2o
 

@@ -103,6 +103,19 @@ inline std::ostream& operator<<(std::ostream& os, const SE3Quat& se3) {
   return os << se3.to_homogeneous_matrix() << '\n';
 }
 
+namespace internal {
+
+template <class E>
+struct KeptMeasurement;
+
+/// A measured motion and its inverse (see ReadyMadeEdge).
+template <>
+struct KeptMeasurement<SE3Quat> {
+  SE3Quat _inverseMeasurement;
+  void keep(const SE3Quat& m) { _inverseMeasurement = m.inverse(); }
+};
+
+}  // namespace internal
 }  // namespace g2o
 
 #endif  // G2O_SE3QUAT_H_

@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE3_CALIB_H
 #define G2O_EDGE_SE3_CALIB_H
 
-#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam3d/vertex_se3.h"
 #include "g2o/types/slam3d_addons/g2o_types_slam3d_addons_api.h"
 
@@ -12,28 +12,9 @@ namespace g2o {
 /// The motion z of a sensor between two robot poses x₁ and x₂. The pose c of the sensor on the robot is a
 /// vertex, too. Vertices: x₁, x₂, c. Error: (t, q_v) of z⁻¹ (x₁ c)⁻¹ (x₂ c). Tag: EDGE_SE3_CALIB.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Calib
-    : public BaseFixedSizedEdge<6, Isometry3, VertexSE3, VertexSE3, VertexSE3> {
+    : public ReadyMadeEdge<EdgeSE3Calib, 6, Isometry3, VertexSE3, VertexSE3, VertexSE3> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3Calib();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseFixedSizedEdge<6, Isometry3, VertexSE3, VertexSE3, VertexSE3>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 7; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
-
- private:
-  internal::RotationMemory rotation_;
 };
 
 }  // namespace g2o

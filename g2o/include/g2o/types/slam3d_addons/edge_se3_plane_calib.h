@@ -3,7 +3,7 @@
 #ifndef G2O_EDGE_SE3_PLANE_CALIB_H
 #define G2O_EDGE_SE3_PLANE_CALIB_H
 
-#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/core/ready_made_edge.h"
 #include "g2o/types/slam3d/vertex_se3.h"
 #include "g2o/types/slam3d_addons/vertex_plane.h"
 
@@ -11,27 +11,11 @@ namespace g2o {
 
 /// A plane z in the frame of a sensor on the robot x. The pose O of the sensor is a vertex, too. Vertices: x,
 /// plane, O. Error: ((x O)⁻¹ plane).ominus(z). Tag: EDGE_SE3_PLANE_CALIB.
+/// The measurement data are the four coefficients of the plane.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3PlaneSensorCalib
-    : public BaseFixedSizedEdge<3, Plane3D, VertexSE3, VertexPlane, VertexSE3> {
+    : public ReadyMadeEdge<EdgeSE3PlaneSensorCalib, 3, Plane3D, VertexSE3, VertexPlane, VertexSE3> {
  public:
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3PlaneSensorCalib();
-
-  void computeError() override;
-  void linearizeOplus() override;
-  using BaseFixedSizedEdge<3, Plane3D, VertexSE3, VertexPlane, VertexSE3>::linearizeOplus;
-  bool read(std::istream& is) override;
-  bool write(std::ostream& os) const override;
-
-  /// Sets the four coefficients of the plane.
-  bool setMeasurementData(const double* d) override;
-  bool getMeasurementData(double* d) const override;
-  int measurementDimension() const override { return 4; }
-  bool setMeasurementFromState() override;
-
-  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
-                                 OptimizableGraph::Vertex* to) override;
-  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
   Vector3 color = Vector3(0.1, 0.1, 0.1);  ///< red, green, blue in [0, 1]
 };
