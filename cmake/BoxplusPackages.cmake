@@ -44,7 +44,7 @@ boxplus_package(
   "A C++20 framework for SLAM, bundle adjustment and calibration: the library boxplus with its headers, the library"
   "of the viewer, the CMake package, documents and examples.")
 if(TARGET boxplus_command)
-  boxplus_package(command boxplus science SUMMARY "optimizes graphs of SLAM and bundle adjustment (command)"
+  boxplus_package(command boxplus science DEPENDS fonts-liberation2 SUMMARY "optimizes graphs of SLAM and bundle adjustment (command)"
                   "Reads .g2o, TORO, BAL and COLMAP, optimizes, compares, simulates, plots and shows graphs in a browser.")
 endif()
 if(TARGET boxplus_python AND BOXPLUS_PYTHON_PROGRAM STREQUAL "/usr/bin/python3")

@@ -27,7 +27,7 @@ MAY_INCLUDE = {
     "src": (*EIGEN, "fmt/", "fast_float/", "zlib.h", "amd.h", "camd.h"),
     "viewer": (*EIGEN, "fmt/", "httplib.h", "nlohmann/"),
     "python/src": (*EIGEN, "pybind11/"),
-    "apps": (*EIGEN, "fmt/", "CLI/", "nlohmann/", "zlib.h"),
+    "apps": (*EIGEN, "fmt/", "CLI/", "nlohmann/", "cairo.h", "cairo-pdf.h", "zlib.h"),
     "g2o/include": (*EIGEN, *OPENGL),
     "g2o/src": (*EIGEN, "fmt/", "amd.h"),
 }

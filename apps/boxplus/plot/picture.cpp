@@ -17,11 +17,17 @@ namespace boxplus::app {
 namespace {
 
 void require_few_pixels(const Layout& layout, double resolution) {
-  constexpr double kMost = 5e7;
-  const double pixels = layout.width() * layout.height() * resolution * resolution;
-  if (pixels <= kMost) return;
-  throw InvalidArgument(
-      fmt::format("--size and --resolution: expected at most {:g} pixels, got {:.3g}", kMost, pixels));
+  constexpr double kMost = 5e7, kLongestSide = 32'767;  // the second is Cairo's
+  const double pixels = layout.width() * layout.height() * resolution * resolution,
+               side = std::max(layout.width(), layout.height()) * resolution;
+  if (pixels > kMost) {
+    throw InvalidArgument(
+        fmt::format("--size and --resolution: expected at most {:g} pixels, got {:.3g}", kMost, pixels));
+  }
+  if (side > kLongestSide) {
+    throw InvalidArgument(fmt::format(
+        "--size and --resolution: expected at most {} pixels per side, got {:.0f}", kLongestSide, side));
+  }
 }
 
 std::unique_ptr<Canvas> make_canvas(const Layout& layout, const std::string& title, PictureFormat format,

@@ -19,8 +19,13 @@ struct Rgb {
 /// Returns the color as "#rrggbb".
 std::string hex(Rgb color);
 
+/// Returns the text as XML and Cairo accept it: without control characters, and with U+FFFD instead of bytes
+/// that are not valid UTF-8.
+std::string printable(std::string_view text);
+
 struct Point {
   double x = 0, y = 0;
+  bool operator==(const Point&) const = default;
 };
 
 struct Box {

@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
-#include "io/printable.h"
 #include "plot/canvas/canvas.h"
 
 namespace boxplus::app {
 namespace {
 
-/// Returns the text with escapes for XML. Because XML parsers reject control characters and bytes that are
-/// not valid UTF-8, control characters are left out and invalid bytes become U+FFFD.
 std::string escaped_xml(std::string_view text) {
   std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = printable_length(text, i);
-    if (text[i] == '&') {
+  for (const char c : printable(text)) {
+    if (c == '&') {
       result += "&amp;";
-    } else if (text[i] == '<') {
+    } else if (c == '<') {
       result += "&lt;";
-    } else if (length > 0) {
-      result += text.substr(i, length);
-    } else if (static_cast<unsigned char>(text[i]) >= 0x80) {
-      result += "\xEF\xBF\xBD";  // U+FFFD
+    } else {
+      result += c;
     }
-    i += std::max<std::size_t>(length, 1);
   }
   return result;
 }
