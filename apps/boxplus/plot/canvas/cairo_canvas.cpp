@@ -61,8 +61,8 @@ class CairoCanvas : public Canvas {
  public:
   void stroke(const Path& path, const Stroke& stroke) override {
     path.for_each_line([this](std::span<const Point> points) {
-      add(points.front(), points[points.size() == 1 ? 0 : 1],
-          true);  // with round ends, a single point is a dot
+      // A single point becomes a line without length, which is a dot, because ends are round.
+      add(points.front(), points[points.size() == 1 ? 0 : 1], true);
       for (std::size_t i = 2; i < points.size(); ++i) add(points[i - 1], points[i], false);
     });
     select(stroke.color, stroke.opacity);
