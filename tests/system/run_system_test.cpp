@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(ByAlgorithmAndStart, AnotherSystem,
                                           testing::Values(Start::kCurrent, Start::kSpanningTree,
                                                           Start::kChordal, Start::kAutomatic)),
                          [](const auto& parameters) {
-                           return std::string(to_string(std::get<0>(parameters.param)).substr(0, 3)) + "From" +
-                                  std::to_string(static_cast<int>(std::get<1>(parameters.param)));
+                           return std::string(to_string(std::get<0>(parameters.param)).substr(0, 3)) +
+                                  "From" + std::to_string(static_cast<int>(std::get<1>(parameters.param)));
                          });
 
 TEST(AnotherSystem, ReportsTheLimitThatStopsIt) {
