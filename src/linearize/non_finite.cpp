@@ -7,7 +7,7 @@
 
 #include "base/all_finite.h"
 #include "boxplus/base/function_ref.h"
-#include "linearize/tile_weights.h"
+#include "linearize/accumulate.h"
 
 namespace boxplus {
 namespace {
