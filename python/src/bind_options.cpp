@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bind.h"
+#include "boxplus/options/option_table.h"
 #include "convert.h"
 #include "enumerators.h"
 #include "members.h"
@@ -18,28 +19,11 @@ namespace boxplus::python {
 namespace {
 
 /// All options but vertices, callback, stop, and custom_linear_solver, which Python cannot write.
-constexpr std::tuple kOptions{Member{"algorithm", &Options::algorithm},
-                              Member{"linear_solver", &Options::linear_solver},
-                              Member{"precision", &Options::precision},
-                              Member{"start", &Options::start},
-                              Member{"gauge", &Options::gauge},
-                              Member{"schur", &Options::schur},
-                              Member{"damping", &Options::damping},
-                              Member{"max_iterations", &Options::max_iterations},
-                              Member{"cost_tolerance", &Options::cost_tolerance},
-                              Member{"noise_tolerance", &Options::noise_tolerance},
-                              Member{"step_tolerance", &Options::step_tolerance},
-                              Member{"gradient_tolerance", &Options::gradient_tolerance},
-                              Member{"time_limit_s", &Options::time_limit_s},
-                              Member{"initial_lambda", &Options::initial_lambda},
-                              Member{"initial_radius", &Options::initial_radius},
-                              Member{"linear_tolerance", &Options::linear_tolerance},
-                              Member{"numeric_jacobians", &Options::numeric_jacobians},
-                              Member{"triggs_correction", &Options::triggs_correction},
-                              Member{"max_factor_bytes", &Options::max_factor_bytes},
-                              Member{"threads", &Options::threads},
-                              Member{"level", &Options::level},
-                              Member{"edges", &Options::edges}};
+constexpr std::tuple kOptions = std::tuple_cat(
+    detail::kOptions,
+    std::tuple{detail::Option{.name = "edges",
+                              .member = &Options::edges,
+                              .help = "If the list is not empty, only these edges take part"}});
 static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 4,
               "kOptions does not have all members of Options");
 
@@ -97,7 +81,7 @@ std::string options_text(const py::object& self) {
     if (value.equal(defaults.attr(name))) return;
     text += (text.empty() ? "" : ", ") + std::string(name) + "=" + std::string(py::repr(value));
   };
-  std::apply([&](const auto&... member) { (append(member.name), ...); }, kOptions);
+  std::apply([&](const auto&... member) { (append(member.name.data()), ...); }, kOptions);
   append("vertices");
   append("callback");
   append("stop");
@@ -157,12 +141,13 @@ void bind_options(py::module_& module) {
   bind_enum<Options::DampingScale>(type);
   type.def(py::init([](const py::kwargs& changes) { return options_with(py::none(), changes); }));
   const auto bind = [&](const auto& member) {
-    const std::string name = std::string("Options.") + member.name;
+    const std::string name = "Options." + std::string(member.name);
     type.def_property(
-        member.name, [member](const OptionsObject& self) { return self.options.*member.pointer; },
+        member.name.data(), [member](const OptionsObject& self) { return self.options.*member.member; },
         [member, name](OptionsObject& self, const py::object& value) {
-          read(value, name, self.options.*member.pointer);
-        });
+          read(value, name, self.options.*member.member);
+        },
+        member.help.data());
   };
   std::apply([&](const auto&... member) { (bind(member), ...); }, kOptions);
   type.def_property(

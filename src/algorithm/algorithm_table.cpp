@@ -18,10 +18,10 @@ std::unique_ptr<Algorithm> make() {
 }
 
 constexpr detail::AlgorithmEntry kAlgorithms[] = {
-    {AlgorithmKind::kAutomatic, "automatic", nullptr},
-    {AlgorithmKind::kGaussNewton, "gauss-newton", make<GaussNewton>},
-    {AlgorithmKind::kLevenbergMarquardt, "levenberg-marquardt", make<LevenbergMarquardt>},
-    {AlgorithmKind::kDogleg, "dogleg", make<Dogleg>},
+    {AlgorithmKind::kAutomatic, nullptr},
+    {AlgorithmKind::kGaussNewton, make<GaussNewton>},
+    {AlgorithmKind::kLevenbergMarquardt, make<LevenbergMarquardt>},
+    {AlgorithmKind::kDogleg, make<Dogleg>},
 };
 
 }  // namespace
@@ -36,13 +36,6 @@ std::unique_ptr<Algorithm> make_algorithm(AlgorithmKind kind) {
   }
   throw InvalidArgument("make_algorithm: expected one of the algorithms of the library, got AlgorithmKind " +
                         std::to_string(static_cast<int>(kind)));
-}
-
-std::string_view to_string(AlgorithmKind kind) {
-  for (const detail::AlgorithmEntry& entry : kAlgorithms) {
-    if (entry.kind == kind) return entry.name;
-  }
-  return "unknown";
 }
 
 }  // namespace boxplus

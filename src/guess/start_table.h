@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
 #include "boxplus/options/options.h"
 #include "guess/initial_guess.h"
@@ -12,7 +11,6 @@ namespace boxplus::detail {
 
 struct StartEntry {
   Start start;
-  std::string_view name;  ///< for command lines: "spanning-tree"
   /// Null for kCurrent, which makes no guess, and for kAutomatic, which chooses one.
   GuessResult (*guess)(Graph&, const Plan&, const GuessLimits&);
 };

@@ -30,11 +30,11 @@ std::unique_ptr<LinearSolver> make_block_cholesky(const LinearSolverOptions& opt
 using Method = detail::LinearSolverEntry::Method;
 
 constexpr detail::LinearSolverEntry kLinearSolvers[] = {
-    {LinearSolverKind::kAutomatic, "automatic", "automatic", make_automatic, Method::kDelegates},
-    {LinearSolverKind::kBlockCholesky, "block_cholesky", "cholesky", make_block_cholesky, Method::kDirect},
-    {LinearSolverKind::kPcg, "pcg", "pcg", make<Pcg>, Method::kIterative},
-    {LinearSolverKind::kDense, "dense", "dense", make<DenseSolver>, Method::kDirect},
-    {LinearSolverKind::kEigenSparse, "eigen_sparse", "eigen", make<EigenSparseSolver>, Method::kDirect, true},
+    {LinearSolverKind::kAutomatic, "automatic", make_automatic, Method::kDelegates},
+    {LinearSolverKind::kBlockCholesky, "block_cholesky", make_block_cholesky, Method::kDirect},
+    {LinearSolverKind::kPcg, "pcg", make<Pcg>, Method::kIterative},
+    {LinearSolverKind::kDense, "dense", make<DenseSolver>, Method::kDirect},
+    {LinearSolverKind::kEigenSparse, "eigen_sparse", make<EigenSparseSolver>, Method::kDirect, true},
 };
 
 }  // namespace

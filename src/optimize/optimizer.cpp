@@ -8,6 +8,7 @@
 
 #include "boxplus/algorithm/algorithm_table.h"
 #include "boxplus/diagnose/diagnose.h"
+#include "boxplus/options/option_table.h"
 #include "covariance/covariance_references.h"
 #include "covariance/covariance_system.h"
 #include "linearize/stiff_edge.h"
@@ -19,35 +20,6 @@
 
 namespace boxplus {
 namespace {
-
-template <class E>
-void require_enumerator(E value, E last, const std::string& type) {
-  if (value > last) {
-    throw InvalidArgument("Options: expected one of the values of " + type + ", got " +
-                          std::to_string(static_cast<int>(value)));
-  }
-}
-
-void check(const Options& options) {
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw InvalidArgument(std::string("Options: expected ") + what);
-  };
-  require_enumerator(options.precision, Precision::kMixed, "Precision");
-  require_enumerator(options.gauge, GaugePolicy::kError, "GaugePolicy");
-  require_enumerator(options.schur, SchurMode::kImplicit, "SchurMode");
-  require_enumerator(options.damping, Options::DampingScale::kDiagonal, "DampingScale");
-  require(options.max_iterations >= 0, "max_iterations ≥ 0");
-  require(options.threads >= 0, "threads ≥ 0");
-  require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
-  require(options.noise_tolerance >= 0, "noise_tolerance ≥ 0");
-  require(options.step_tolerance >= 0, "step_tolerance ≥ 0");
-  require(options.gradient_tolerance >= 0, "gradient_tolerance ≥ 0");
-  require(options.linear_tolerance >= 0 && options.linear_tolerance < 1, "0 ≤ linear_tolerance < 1");
-  require(options.initial_lambda >= 0 && std::isfinite(options.initial_lambda),
-          "a finite initial_lambda ≥ 0");
-  require(options.initial_radius >= 0, "initial_radius ≥ 0");
-  require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
-}
 
 bool needs_diagnosis(const Report& report) {
   using enum Report::Reason;
@@ -135,7 +107,7 @@ Algorithm& Optimizer::Impl::chosen_algorithm() {
 void Optimizer::Impl::run(Algorithm* custom, Report& report) {
   const Stopwatch clock;
   checked_graph();
-  check(options);
+  detail::check_options(options);
   const InUse in_use(life);
   begin_report(report, options);
   RunStop stop(options, clock.start());

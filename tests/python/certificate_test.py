@@ -136,7 +136,7 @@ class Refusals(unittest.TestCase):
                 (TypeError, "max_escapes: expected an int, got 1.5", {"max_escapes": 1.5}),
                 (ValueError, "max_escapes: expected an int of 32 bits", {"max_escapes": 2**40}),
                 (TypeError, "tolerance: expected", {"tolerance": "small"}),
-                (TypeError, "Options: expected one of algorithm", {"escapes": 3})):
+                (TypeError, "Options: expected one of start", {"escapes": 3})):
             with self.subTest(text), self.assertRaises(error) as raised:
                 certify(graph, **options)
             self.assertIn(text, str(raised.exception))

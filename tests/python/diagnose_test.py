@@ -66,7 +66,7 @@ class Diagnoses(unittest.TestCase):
         graph.remove(edges[0])
         with self.assertRaises(InvalidArgument):
             diagnose(graph, edges=[edges[0]])
-        with self.assertRaisesRegex(TypeError, "Options: expected one of algorithm"):
+        with self.assertRaisesRegex(TypeError, "Options: expected one of start"):
             diagnose(graph, false_alarm=1)
         with self.assertRaises(TypeError):
             diagnose(None)

@@ -65,7 +65,7 @@ class Runs(unittest.TestCase):
     def test_wrong_options_are_refused(self):
         graph, _ = square()
         for error, text, options in (
-                (TypeError, "Options: expected one of algorithm, ", {"max_iteration": 3}),
+                (TypeError, "Options: expected one of start, ", {"max_iteration": 3}),
                 (TypeError, "Options.max_iterations: expected an int, got 1.5 (float)", {"max_iterations": 1.5}),
                 (ValueError, "Options.threads: expected an int in the range", {"threads": 2**40}),
                 (ValueError, "Options.max_factor_bytes: expected an int in the range", {"max_factor_bytes": -1}),

@@ -100,7 +100,7 @@ class FindOutliers(unittest.TestCase):
                 (TypeError, "window: expected an int, got 1.5", {"window": 1.5}),
                 (ValueError, "window: expected an int of 32 bits", {"window": 2**40}),
                 (TypeError, "evidence: expected", {"evidence": "9"}),
-                (TypeError, "Options: expected one of algorithm", {"windows": 3})):
+                (TypeError, "Options: expected one of start", {"windows": 3})):
             with self.subTest(text), self.assertRaises(error) as raised:
                 find_outliers(graph, **options)
             self.assertIn(text, str(raised.exception))

@@ -8,17 +8,17 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
-#include "boxplus/algorithm/algorithm_table.h"
 #include "boxplus/base/error.h"
-#include "boxplus/linear/linear_solver_table.h"
+#include "boxplus/options/option_table.h"
 #include "boxplus/outliers/outliers.h"
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "graph/graph_view.h"
-#include "guess/start_table.h"
 #include "viewer/settings/parse_number.h"
 
 namespace boxplus::viewer {
@@ -77,13 +77,6 @@ void make_choice(Setting& setting, const Choices<T>& choices, Access access) {
   };
 }
 
-template <class Entry, class T>
-Choices<T> choices_of(std::span<const Entry> table, std::string_view Entry::*name, T Entry::*value) {
-  Choices<T> choices;
-  for (const Entry& entry : table) choices.emplace_back(entry.*name, entry.*value);
-  return choices;
-}
-
 // ---- Kernels ----
 
 std::string lower(std::string text) {
@@ -125,17 +118,16 @@ void make_kernel_name(Setting& setting) {
 class TableMaker {
  public:
   std::vector<Setting> make() {
-    add_method();
-    add_damping();
+    add_options("Method");
     add_outliers();
     add_false_edges();
-    add_problem();
-    add_stop();
+    add_options("Problem");
+    add_options("Stop");
     return std::move(table_);
   }
 
  private:
-  Setting& add(const char* group, const char* name, std::string help) {
+  Setting& add(std::string_view group, std::string_view name, std::string help) {
     Setting setting;
     setting.group = group;
     setting.name = name;
@@ -144,55 +136,41 @@ class TableMaker {
     return table_.back();
   }
 
-  void add_method() {
-    make_choice(
-        add("Method", "start",
-            "The initial estimates; automatic: keep the estimates of the file if there is no --kernel "
-            "and the first step reduces chi2 as the linear model predicts, and otherwise use either "
-            "these estimates or the chordal guess, whichever is better"),
-        choices_of(detail::start_table(), &detail::StartEntry::name, &detail::StartEntry::start),
-        [](RunSettings& settings) -> Start& { return settings.options.start; });
-    make_choice(
-        add("Method", "algorithm", "The optimization algorithm"),
-        choices_of(detail::algorithm_table(), &detail::AlgorithmEntry::name, &detail::AlgorithmEntry::kind),
-        [](RunSettings& settings) -> AlgorithmKind& { return settings.options.algorithm; });
-    make_choice(add("Method", "solver", "The linear solver"),
-                choices_of(detail::linear_solver_table(), &detail::LinearSolverEntry::option,
-                           &detail::LinearSolverEntry::kind),
-                [](RunSettings& settings) -> LinearSolverKind& { return settings.options.linear_solver; });
-    make_choice(
-        add("Method", "precision",
-            "The precision of the cholesky solver; mixed: factorize in float and refine the solutions "
-            "in double; automatic: whichever is predicted to be faster, but always double for "
-            "gauss-newton"),
-        Choices<Precision>{{"automatic", Precision::kAutomatic},
-                           {"double", Precision::kDouble},
-                           {"mixed", Precision::kMixed}},
-        [](RunSettings& settings) -> Precision& { return settings.options.precision; });
-    make_whole_number(
-        add("Method", "threads",
-            "Use at most this many threads; 0: one per hardware thread. Results do not depend on "
-            "this number"),
-        0, [](RunSettings& settings) -> int& { return settings.options.threads; });
+  /// The options of a run that can be chosen, under one heading.
+  void add_options(std::string_view group) {
+    const auto add_row = [&](const auto& option) {
+      if (option.group != group) return;
+      Setting& setting = add(option.group, option.setting, std::string(option.help));
+      setting.unit = option.unit;
+      if (!option.needed_algorithm.empty()) {
+        setting.needed_setting = "algorithm";
+        setting.needed_value = option.needed_algorithm;
+      }
+      make_option(setting, option);
+    };
+    std::apply([&](const auto&... option) { (add_row(option), ...); }, detail::kOptions);
   }
 
-  void add_damping() {
-    const auto needs_levenberg_marquardt = [](Setting& setting) -> Setting& {
-      setting.needed_setting = "algorithm";
-      setting.needed_value = "levenberg-marquardt";
-      return setting;
+  template <class T>
+  static void make_option(Setting& setting, const detail::Option<T>& option) {
+    const auto access = [member = option.member](RunSettings& settings) -> T& {
+      return settings.options.*member;
     };
-    make_choice(needs_levenberg_marquardt(
-                    add("Method", "damping",
-                        "The matrix that Levenberg-Marquardt multiplies by lambda and adds to H: identity or "
-                        "diagonal of H")),
-                Choices<Options::DampingScale>{{"identity", Options::DampingScale::kIdentity},
-                                               {"diagonal", Options::DampingScale::kDiagonal}},
-                [](RunSettings& settings) -> Options::DampingScale& { return settings.options.damping; });
-    make_number(needs_levenberg_marquardt(
-                    add("Method", "lambda",
-                        "The initial lambda of Levenberg-Marquardt; by default, it is computed from H")),
-                true, [](RunSettings& settings) -> double& { return settings.options.initial_lambda; });
+    RunSettings defaults;
+    const T by_default = access(defaults);
+    if constexpr (std::is_enum_v<T>) {
+      Choices<T> choices;
+      for (const std::string_view word : detail::OptionWords<T>::kAll)
+        choices.emplace_back(word, static_cast<T>(choices.size()));
+      std::ranges::stable_partition(choices, [](const auto& choice) { return choice.first == "automatic"; });
+      make_choice(setting, choices, access);
+    } else if constexpr (std::is_same_v<T, int>) {
+      make_whole_number(setting, 0, access);
+      if (option.group == "Stop") setting.default_text = fmt::format("{}", by_default);
+    } else if constexpr (std::is_same_v<T, double>) {
+      make_number(setting, option.excludes_zero, access);
+      if (option.unit.empty()) setting.default_text = fmt::format("{:g}", by_default);
+    }
   }
 
   void add_outliers() {
@@ -230,43 +208,6 @@ class TableMaker {
         Choices<std::optional<Suspects>>{
             {"none", std::nullopt}, {"loop-closures", Suspects::kLoopClosures}, {"all", Suspects::kAll}},
         [](RunSettings& settings) -> std::optional<Suspects>& { return settings.suspects; });
-  }
-
-  void add_problem() {
-    make_choice(add("Problem", "gauge",
-                    "How to treat a part of the graph that nothing holds in place; fix-first: fix its first "
-                    "pose; damp: add minimal damping; error: stop with exit code 3"),
-                Choices<GaugePolicy>{{"fix-first", GaugePolicy::kFixFirst},
-                                     {"damp", GaugePolicy::kDamp},
-                                     {"error", GaugePolicy::kError}},
-                [](RunSettings& settings) -> GaugePolicy& { return settings.options.gauge; });
-  }
-
-  void add_stop() {
-    const Options defaults;
-    Setting& iterations = add("Stop", "iterations", "Stop after this many iterations");
-    iterations.default_text = fmt::format("{}", defaults.max_iterations);
-    make_whole_number(iterations, 0,
-                      [](RunSettings& settings) -> int& { return settings.options.max_iterations; });
-    Setting& time = add("Stop", "time-limit",
-                        "Stop after this many seconds of optimization, or earlier if the next computation "
-                        "cannot be interrupted and would end too late (ordering 100,000 poses: up to 0.1 s)");
-    time.unit = "SECONDS";
-    make_number(time, false, [](RunSettings& settings) -> double& { return settings.options.time_limit_s; });
-    add_tolerance("cost-tolerance", "Converged if a step reduces chi2 by less than this fraction",
-                  &Options::cost_tolerance);
-    add_tolerance("step-tolerance",
-                  "Converged if no entry of a step is larger than this fraction of its standard deviation",
-                  &Options::step_tolerance);
-    add_tolerance("gradient-tolerance", "Converged if no entry of the gradient is larger than this",
-                  &Options::gradient_tolerance);
-  }
-
-  void add_tolerance(const char* name, const char* help, double Options::*tolerance) {
-    Setting& setting = add("Stop", name, help);
-    setting.default_text = fmt::format("{:g}", Options().*tolerance);
-    make_number(setting, false,
-                [tolerance](RunSettings& settings) -> double& { return settings.options.*tolerance; });
   }
 
   std::vector<Setting> table_;

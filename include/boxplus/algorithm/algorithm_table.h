@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <span>
-#include <string_view>
 
 #include "boxplus/algorithm/algorithm.h"
 
@@ -12,7 +11,6 @@ namespace boxplus::detail {
 
 struct AlgorithmEntry {
   AlgorithmKind kind;
-  std::string_view name;  ///< for command lines: "gauss-newton"
   /// Null for kAutomatic, because the optimizer replaces kAutomatic by another kind as soon as the plan is
   /// known.
   std::unique_ptr<Algorithm> (*make)();

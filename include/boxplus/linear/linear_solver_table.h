@@ -19,8 +19,7 @@ struct LinearSolverEntry {
   };
 
   LinearSolverKind kind;
-  std::string_view name;    ///< in reports: "block_cholesky"
-  std::string_view option;  ///< for command lines: "cholesky"
+  std::string_view name;  ///< in reports: "block_cholesky"
   std::unique_ptr<LinearSolver> (*make)(const LinearSolverOptions& options);
   Method method;
   bool allocates_in_every_call = false;  ///< instead of only in the first factorize() and solve()
