@@ -46,11 +46,12 @@ ALLOWED = {
     "optimize": "base robust graph linear gauge options plan linearize system algorithm guess covariance diagnose",
     "outliers": "base manifold robust graph options optimize",
     "certify": "base manifold graph linear options guess optimize",
+    "settings": "base robust graph options outliers",
     "types": "base kernels manifold autodiff robust graph covariance",
     "io": "base manifold autodiff robust graph types",
     "trajectory": "base manifold autodiff robust graph types io",
     # A library of its own.
-    "viewer": "base manifold graph linear options plan guess algorithm covariance diagnose optimize outliers types io trajectory",
+    "viewer": "base manifold graph linear options plan covariance diagnose optimize outliers settings types io trajectory",
     # Checkers and simulators with which users test their own types.
     "testing": "base manifold autodiff robust graph types",
 }

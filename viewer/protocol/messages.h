@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "settings/setting_table.h"
 #include "viewer/scene/errors.h"
 #include "viewer/scene/pattern.h"
 #include "viewer/scene/positions.h"
@@ -18,7 +19,6 @@
 #include "viewer/scene/structure.h"
 #include "viewer/scene/truth.h"
 #include "viewer/scene/uncertainty.h"
-#include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "settings/parse_number.h"
 #include "viewer/server/element_request.h"
-#include "viewer/settings/parse_number.h"
 
 namespace boxplus::viewer {
 namespace {

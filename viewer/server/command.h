@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/settings/run_settings.h"
+#include "settings/run_settings.h"
 #include "viewer/workspace/edits.h"
 
 namespace boxplus::viewer {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
-#include "viewer/settings/parse_number.h"
+#include "settings/parse_number.h"
 
 namespace boxplus::viewer {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "settings/setting_table.h"
 #include "viewer/protocol/diagnosis_json.h"
 #include "viewer/protocol/element_json.h"
-#include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
 

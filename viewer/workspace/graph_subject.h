@@ -8,10 +8,10 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/optimizer.h"
+#include "settings/run_settings.h"
 #include "viewer/scene/scans.h"
 #include "viewer/scene/truth.h"
 #include "viewer/scene/verdicts.h"
-#include "viewer/settings/run_settings.h"
 #include "viewer/workspace/subject.h"
 
 namespace boxplus::viewer {

@@ -13,8 +13,8 @@
 #include "boxplus/base/error.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/outliers/outliers.h"
+#include "settings/run_settings.h"
 #include "viewer/protocol/messages.h"
-#include "viewer/settings/run_settings.h"
 #include "viewer/workspace/edits.h"
 
 namespace boxplus::viewer {

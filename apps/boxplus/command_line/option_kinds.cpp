@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viewer/settings/parse_number.h"
+#include "settings/parse_number.h"
 
 namespace boxplus::app {
 namespace {
@@ -16,7 +16,7 @@ template <class Accept>
 CLI::Validator number_check(std::string expected, Accept accept) {
   const auto check = [expected = std::move(expected), accept](const std::string& text) {
     double value = 0;
-    const bool good = viewer::parse_number(text, value) && std::isfinite(value) && accept(value);
+    const bool good = parse_number(text, value) && std::isfinite(value) && accept(value);
     return good ? std::string() : fmt::format("expected {}, got '{}'", expected, text);
   };
   return {check, ""};
@@ -44,7 +44,7 @@ CLI::Validator whole_number_from(long low) {
   const auto check = [low](const std::string& text) {
     constexpr long kMost = std::numeric_limits<int>::max();
     long value = 0;
-    const bool is_number = viewer::parse_number(text, value);
+    const bool is_number = parse_number(text, value);
     if (is_number && value >= low && value <= kMost) return std::string();
     return is_number && value > kMost ? fmt::format("expected a whole number ≤ {}, got '{}'", kMost, text)
                                       : fmt::format("expected a whole number ≥ {}, got '{}'", low, text);
@@ -57,7 +57,7 @@ CLI::Validator whole_number_within(long low, long high) {
   std::string range = is_bounded ? fmt::format("from {} to {}", low, high) : fmt::format("≥ {}", low);
   const auto check = [low, high, range = std::move(range)](const std::string& text) {
     long value = 0;
-    const bool good = viewer::parse_number(text, value) && value >= low && value <= high;
+    const bool good = parse_number(text, value) && value >= low && value <= high;
     return good ? std::string() : fmt::format("expected a whole number {}, got '{}'", range, text);
   };
   return {check, ""};

@@ -76,9 +76,9 @@ struct GraphFacts {
   bool keeps_indefinite = false;  ///< they are used as given
   std::size_t indefinite = 0;     ///< edges whose Ω is indefinite in the file
   double chi2 = 0;
-  viewer::KernelFacts kernel;  ///< the kernel of the command line; chi2 and `worst` are computed without it
-  std::size_t rejected = 0;    ///< edges to which this kernel gives a weight below Report::kRejectedWeight
-  int dimension = 0;           ///< the dimension of the world; 0 if no vertex has a position
+  KernelFacts kernel;        ///< the kernel of the command line; chi2 and `worst` are computed without it
+  std::size_t rejected = 0;  ///< edges to which this kernel gives a weight below Report::kRejectedWeight
+  int dimension = 0;         ///< the dimension of the world; 0 if no vertex has a position
   std::array<double, 3> extent{};  ///< the size of the box that contains all positions, in meters
   std::optional<DiagnosisFacts> diagnosis;
   std::optional<OutlierFacts> outliers;

@@ -21,7 +21,7 @@
 namespace boxplus::app {
 namespace {
 
-struct InfoArguments : viewer::RunSettings {
+struct InfoArguments : RunSettings {
   std::string input, json, matrix;
   std::size_t worst = 5;
   std::optional<Suspects> suspects;  ///< of --outliers
@@ -30,7 +30,7 @@ struct InfoArguments : viewer::RunSettings {
 };
 
 /// Sets the kernel on its edges, and counts the edges that it rejects.
-void try_kernel(Graph& graph, const viewer::RunSettings& settings, GraphFacts& facts) {
+void try_kernel(Graph& graph, const RunSettings& settings, GraphFacts& facts) {
   facts.kernel = set_kernels(graph, settings);
   for (const EdgeRef& edge : graph.all_edges()) {
     if (graph.kernel(edge) != nullptr) facts.rejected += graph.weight(edge) < Report::kRejectedWeight;

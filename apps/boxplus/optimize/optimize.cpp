@@ -21,8 +21,8 @@
 #include "optimize/outlier_search.h"
 #include "optimize/progress.h"
 #include "optimize/report_json.h"
+#include "settings/setting_table.h"
 #include "view/live_view.h"
-#include "viewer/settings/setting_table.h"
 
 namespace boxplus::app {
 namespace {
@@ -46,7 +46,7 @@ int exit_code(Report::Status status) {
 
 /// Throws if an option is given that has no meaning, because another option has not the value that it needs.
 void require_needed_values(const CLI::App& command) {
-  for (const viewer::Setting& setting : viewer::setting_table()) {
+  for (const Setting& setting : setting_table()) {
     if (setting.needed_value.empty() || command.count("--" + setting.name) == 0) continue;
     const std::string needed = "--" + setting.needed_setting;
     if (command.count(needed) == 0 || command.get_option(needed)->as<std::string>() != setting.needed_value)

@@ -10,16 +10,16 @@
 #include "command_line/option_kinds.h"
 #include "files/format_names.h"
 #include "files/graph_input.h"
-#include "viewer/settings/setting_table.h"
+#include "settings/setting_table.h"
 
 namespace boxplus::app {
 namespace {
 
 /// Accepts the texts that `setting` accepts.
-CLI::Validator value_of(const viewer::Setting& setting) {
+CLI::Validator value_of(const Setting& setting) {
   const auto check = [&setting](const std::string& text) {
     try {
-      viewer::RunSettings scratch;
+      RunSettings scratch;
       setting.set(scratch, text);
       return std::string();
     } catch (const InvalidArgument& error) {
@@ -30,8 +30,8 @@ CLI::Validator value_of(const viewer::Setting& setting) {
 }
 
 /// Adds the settings of one group of the table as options.
-void add_settings(CLI::App& command, std::string_view group, viewer::RunSettings& settings) {
-  for (const viewer::Setting& setting : viewer::setting_table()) {
+void add_settings(CLI::App& command, std::string_view group, RunSettings& settings) {
+  for (const Setting& setting : setting_table()) {
     if (setting.group != group) continue;
     const auto set = [&settings, &setting](const std::string& text) { setting.set(settings, text); };
     CLI::Option* option = command.add_option_function<std::string>("--" + setting.name, set, setting.help);
@@ -169,16 +169,16 @@ void add_certify_option(CLI::App& command, OptimizeArguments& arguments) {
 
 }  // namespace
 
-void add_robust_options(CLI::App& command, viewer::RunSettings& settings) {
+void add_robust_options(CLI::App& command, RunSettings& settings) {
   add_settings(command, "Outliers", settings);
 }
 
 CLI::Option* add_suspects_option(CLI::App& command, std::optional<Suspects>& suspects,
                                  const std::string& help) {
-  const auto table = viewer::setting_table();
-  const viewer::Setting& setting = *std::ranges::find(table, "outliers", &viewer::Setting::name);
+  const auto table = setting_table();
+  const Setting& setting = *std::ranges::find(table, "outliers", &Setting::name);
   const auto set = [&suspects, &setting](const std::string& text) {
-    viewer::RunSettings scratch;
+    RunSettings scratch;
     setting.set(scratch, text);
     suspects = scratch.suspects;
   };

@@ -10,8 +10,8 @@
 #include "boxplus/outliers/outliers.h"
 #include "boxplus/types/ba/bundle_parts.h"
 #include "command_line/id_ranges.h"
+#include "settings/run_settings.h"
 #include "view/serving.h"
-#include "viewer/settings/run_settings.h"
 
 namespace CLI {
 class App;
@@ -21,13 +21,13 @@ class Option;
 namespace boxplus::app {
 
 /// Adds --kernel and the options that belong to it. They set `settings`.
-void add_robust_options(CLI::App& command, viewer::RunSettings& settings);
+void add_robust_options(CLI::App& command, RunSettings& settings);
 
 /// Adds --outliers with this help. It sets `suspects`, which stays empty if the user chooses "none".
 CLI::Option* add_suspects_option(CLI::App& command, std::optional<Suspects>& suspects,
                                  const std::string& help);
 
-struct OptimizeArguments : viewer::RunSettings, ServingArguments {
+struct OptimizeArguments : RunSettings, ServingArguments {
   std::string input, output, json, outlier_list;
   bool quiet = false, verbose = false, view = false;
   std::optional<Suspects> suspects;  ///< of --outliers

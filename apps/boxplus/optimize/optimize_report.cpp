@@ -20,7 +20,7 @@ std::string where_written(const OptimizeArguments& arguments, const RunFacts& fa
 }
 
 /// Returns " of width 2", or " of width 1.96 (1 row), 2.795 (3 rows)".
-std::string widths_text(const viewer::KernelFacts& kernel) {
+std::string widths_text(const KernelFacts& kernel) {
   if (kernel.width) return fmt::format(" of width {:g}", *kernel.width);
   std::string text;
   for (const auto& [rows, width] : kernel.widths) {
@@ -32,7 +32,7 @@ std::string widths_text(const viewer::KernelFacts& kernel) {
 
 }  // namespace
 
-std::string kernel_text(const viewer::KernelFacts& kernel, std::size_t edges) {
+std::string kernel_text(const KernelFacts& kernel, std::size_t edges) {
   return fmt::format("{} kernel{} on {} of {} edges", kernel.name, widths_text(kernel), kernel.edges, edges);
 }
 

@@ -13,7 +13,7 @@
 namespace boxplus::app {
 
 /// Returns "Huber kernel of width 2 on 6 of 125 edges". `edges` is the number of all edges.
-std::string kernel_text(const viewer::KernelFacts& kernel, std::size_t edges);
+std::string kernel_text(const KernelFacts& kernel, std::size_t edges);
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments);
 

@@ -80,10 +80,10 @@ void set_pixel_sigma(Graph& graph, const OptimizeArguments& arguments) {
     throw InvalidArgument("--pixel-sigma: expected a graph with reprojection errors, got one without");
 }
 
-viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& settings) {
+KernelFacts set_kernels(Graph& graph, const RunSettings& settings) {
   if (settings.kernel.empty()) return {};
-  viewer::KernelFacts facts = viewer::robustify(graph, settings);
-  if (facts.edges == 0 && settings.kernel_scope == viewer::KernelScope::kLoopClosures)
+  KernelFacts facts = robustify(graph, settings);
+  if (facts.edges == 0 && settings.kernel_scope == KernelScope::kLoopClosures)
     print_message("the graph has no loop closures, so no edge gets the kernel");
   return facts;
 }

@@ -6,8 +6,8 @@
 #include "boxplus/outliers/outliers.h"
 #include "optimize/optimize_options.h"
 #include "optimize/progress.h"
+#include "settings/run_settings.h"
 #include "view/live_view.h"
-#include "viewer/settings/run_settings.h"
 
 namespace boxplus::app {
 
@@ -17,7 +17,7 @@ void doubt_indefinite(const Graph& graph, const OptimizeArguments& arguments, Re
 /// Carries out --pixel-sigma. Throws InvalidArgument if there are no reprojection errors.
 void set_pixel_sigma(Graph& graph, const OptimizeArguments& arguments);
 /// Sets the requested robust kernel on the chosen edges. Returns the facts about the kernel for the report.
-viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& settings);
+KernelFacts set_kernels(Graph& graph, const RunSettings& settings);
 
 /// Optimizes the graph and shows progress, until the run ends, a signal raises the flag of Interrupt, or the
 /// user stops it in `view`, which may be null.

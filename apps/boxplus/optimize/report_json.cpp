@@ -57,7 +57,7 @@ Json gauge_json(const Report::GaugeReport& gauge) {
   return {{"held", gauge.held}, {"free", free}, {"held_directions", gauge.held_directions}};
 }
 
-Json kernel_json(const viewer::KernelFacts& kernel) {
+Json kernel_json(const KernelFacts& kernel) {
   if (kernel.name.empty()) return nullptr;
   if (kernel.width) return {{"name", kernel.name}, {"width", *kernel.width}, {"edges", kernel.edges}};
   Json widths = Json::object();

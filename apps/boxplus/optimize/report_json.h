@@ -7,7 +7,7 @@
 
 #include "boxplus/certify/certificate.h"
 #include "boxplus/outliers/outliers.h"
-#include "viewer/settings/run_settings.h"
+#include "settings/run_settings.h"
 
 namespace boxplus::app {
 
@@ -18,7 +18,7 @@ struct RunFacts {
   std::size_t edges = 0;  ///< the number of edges in the file
   std::int64_t skipped_lines = 0;
   std::int64_t indefinite_edges = 0;
-  viewer::KernelFacts kernel;
+  KernelFacts kernel;
   std::optional<OutlierReport> outliers;   ///< of --outliers
   std::optional<Certificate> certificate;  ///< of --certify
   std::optional<Certificate> of_better;    ///< of the better minimum that it has found

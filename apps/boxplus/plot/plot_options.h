@@ -22,7 +22,7 @@ struct PlotArguments {
   double resolution = 2;
   bool has_ellipses = false;
   bool has_error_chart = false;
-  viewer::RunSettings kernel;
+  RunSettings kernel;
   ReadOptions reading;
 };
 

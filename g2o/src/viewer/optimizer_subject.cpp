@@ -16,7 +16,7 @@
 #include "g2o/core/optimization_algorithm_levenberg.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/stuff/timeutil.h"
-#include "viewer/settings/parse_number.h"
+#include "settings/parse_number.h"
 
 namespace g2o {
 namespace internal {
@@ -26,11 +26,11 @@ constexpr const char* kNoTruth = "the estimates of this graph cannot be compared
 
 using boxplus::InvalidArgument;
 using boxplus::IterationRecord;
+using boxplus::Setting;
+using boxplus::Settings;
 using boxplus::viewer::Listener;
 using boxplus::viewer::Message;
 using boxplus::viewer::Outcome;
-using boxplus::viewer::Setting;
-using boxplus::viewer::Settings;
 
 std::vector<OptimizationAlgorithmProperty> algorithms() {
   std::vector<OptimizationAlgorithmProperty> all;
@@ -85,7 +85,7 @@ bool are_same(const boxplus::viewer::Structure& a, const boxplus::viewer::Struct
 template <class T>
 T number_in(const std::string& name, const std::string& text) {
   T number{};
-  if (!boxplus::viewer::parse_number(text, number))
+  if (!boxplus::parse_number(text, number))
     throw InvalidArgument(fmt::format("{}: expected a number, got '{}'", name, text));
   return number;
 }
@@ -258,8 +258,8 @@ OptimizerSubject::Choice OptimizerSubject::choice_of(const Settings& values) con
     if (name == "iterations") choice.iterations = number_in<int>(name, value);
     if (name == "kernel-width") choice.kernel_width = number_in<double>(name, value);
   }
-  if (choice.iterations < 0 || choice.iterations > boxplus::viewer::kMostIterations)
-    throw InvalidArgument(fmt::format("iterations: expected 0 to {}", boxplus::viewer::kMostIterations));
+  if (choice.iterations < 0 || choice.iterations > boxplus::kMostIterations)
+    throw InvalidArgument(fmt::format("iterations: expected 0 to {}", boxplus::kMostIterations));
   if (choice.kernel_width && !(*choice.kernel_width > 0))
     throw InvalidArgument("kernel-width: expected a positive number");
   return choice;

@@ -9,8 +9,8 @@
 
 #include "g2o/core/optimization_algorithm_property.h"
 #include "g2o/core/sparse_optimizer.h"
+#include "settings/setting_table.h"
 #include "viewer/recorded_drawing.h"
-#include "viewer/settings/setting_table.h"
 #include "viewer/workspace/subject.h"
 
 namespace g2o {
@@ -38,10 +38,10 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
   boxplus::viewer::Message truth(std::uint64_t /*structure*/) override { return nullptr; }
   std::string describe(const boxplus::viewer::ElementName& name, std::uint64_t structure) const override;
   std::string edit(const boxplus::viewer::Edit& edit) override;
-  void check(const boxplus::viewer::Settings& settings) const override;
-  boxplus::viewer::Outcome run(const boxplus::viewer::Settings& settings,
+  void check(const boxplus::Settings& settings) const override;
+  boxplus::viewer::Outcome run(const boxplus::Settings& settings,
                                boxplus::viewer::Listener& listener) override;
-  boxplus::viewer::Outcome step(const boxplus::viewer::Settings& settings,
+  boxplus::viewer::Outcome step(const boxplus::Settings& settings,
                                 boxplus::viewer::Listener& listener) override;
   bool guess(const std::string& start, boxplus::viewer::Listener& listener) override;
   void keep_estimates() override;
@@ -59,8 +59,8 @@ class OptimizerSubject final : public boxplus::viewer::Subject {
     int iterations = 10;
   };
 
-  std::vector<boxplus::viewer::Setting> settings() const;
-  Choice choice_of(const boxplus::viewer::Settings& settings) const;
+  std::vector<boxplus::Setting> settings() const;
+  Choice choice_of(const boxplus::Settings& settings) const;
   boxplus::viewer::Outcome iterate(const Choice& choice, boxplus::viewer::Listener& listener);
   bool use_algorithm(const std::string& name);
   void set_kernels(const Choice& choice);

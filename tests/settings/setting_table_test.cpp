@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/settings/setting_table.h"
+#include "settings/setting_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/outliers/outliers.h"
 
-namespace boxplus::viewer {
+namespace boxplus {
 namespace {
 
 using testing::HasSubstr;
@@ -77,4 +77,4 @@ TEST(SettingTable, KnowsChoicesThatDoNotSuitAGraph) {
 }
 
 }  // namespace
-}  // namespace boxplus::viewer
+}  // namespace boxplus

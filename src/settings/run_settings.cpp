@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/settings/run_settings.h"
+#include "settings/run_settings.h"
 
 #include <memory>
 
@@ -7,7 +7,7 @@
 #include "boxplus/robust/make_robust_kernel.h"
 #include "graph/graph_view.h"
 
-namespace boxplus::viewer {
+namespace boxplus {
 namespace {
 
 std::shared_ptr<const RobustKernel> make_kernel(const RunSettings& settings, int rows) {
@@ -42,4 +42,4 @@ KernelFacts robustify(Graph& graph, const RunSettings& settings) {
   return facts;
 }
 
-}  // namespace boxplus::viewer
+}  // namespace boxplus

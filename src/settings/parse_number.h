@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-namespace boxplus::viewer {
+namespace boxplus {
 
 /// Reads a number in the format of C, without blanks, whatever the locale. Returns false unless the whole
 /// text is a number that T can hold.
@@ -17,4 +17,4 @@ bool parse_number(const std::string& text, T& value) {
   return error == std::errc() && stop == end;
 }
 
-}  // namespace boxplus::viewer
+}  // namespace boxplus

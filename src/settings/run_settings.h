@@ -12,7 +12,7 @@
 #include "boxplus/options/options.h"
 #include "boxplus/outliers/outliers.h"
 
-namespace boxplus::viewer {
+namespace boxplus {
 
 /// Settings by name, with their values as texts, as a page sends them. Absent ones have their defaults.
 using Settings = std::map<std::string, std::string, std::less<>>;
@@ -41,4 +41,4 @@ struct KernelFacts {
 /// Sets the chosen kernel on the chosen edges, and removes the kernels of all other edges.
 KernelFacts robustify(Graph& graph, const RunSettings& settings);
 
-}  // namespace boxplus::viewer
+}  // namespace boxplus

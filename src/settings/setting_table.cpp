@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/settings/setting_table.h"
+#include "settings/setting_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,9 +19,9 @@
 #include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "graph/graph_view.h"
-#include "viewer/settings/parse_number.h"
+#include "settings/parse_number.h"
 
-namespace boxplus::viewer {
+namespace boxplus {
 namespace {
 
 // ---- Numbers ----
@@ -290,4 +290,4 @@ RunSettings run_settings(const Settings& values) {
   return settings;
 }
 
-}  // namespace boxplus::viewer
+}  // namespace boxplus

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/settings/run_settings.h"
+#include "settings/run_settings.h"
 
-namespace boxplus::viewer {
+namespace boxplus {
 
 struct Setting {
   /// kKernel is the name of a robust kernel, which may contain a shape.
@@ -44,4 +44,4 @@ RunSettings run_settings(const Settings& values);
 /// Returns the reason why a value of kChoice makes no sense for this graph, or an empty text.
 std::string why_unsuitable(const Graph& graph, const Setting& setting, std::string_view word);
 
-}  // namespace boxplus::viewer
+}  // namespace boxplus
