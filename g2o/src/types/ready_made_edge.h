@@ -78,9 +78,10 @@ auto native_edge(const Edge& e, const Z& z) {
   }
 }
 
-/// Calls `call` with the positions of the vertices as constants, and then with the parameters.
+/// Calls `call` with the positions of the vertices as constants, and then with the parameters. The attribute
+/// inlines the functions of the engine, as if each edge were alone in its source.
 template <class Edge, class Call>
-auto with_arguments(const Edge& e, Call&& call) {
+[[gnu::flatten]] auto with_arguments(const Edge& e, Call&& call) {
   return [&]<int... N>(std::integer_sequence<int, N...>) {
     const auto with_parameters = [&](const auto&... parameters) {
       return call(std::integer_sequence<int, N...>(), parameters...);
@@ -106,9 +107,8 @@ constexpr int measurement_fields() {
   }
 }
 
-// The attribute inlines the functions of the engine, as if each edge were alone in its source.
 template <class Edge>
-[[gnu::flatten]] void EdgeFunctions<Edge>::compute_error(Edge& e) {
+void EdgeFunctions<Edge>::compute_error(Edge& e) {
   using Model = EdgeModel<Edge>;
   const auto error = [&e] {
     if constexpr (requires { Model::error(e); }) {
@@ -129,7 +129,7 @@ template <class Edge>
 }
 
 template <class Edge>
-[[gnu::flatten]] void EdgeFunctions<Edge>::linearize(Edge& e) {
+void EdgeFunctions<Edge>::linearize(Edge& e) {
   using Model = EdgeModel<Edge>;
   if constexpr (requires { Model::linearize(e); }) {
     Model::linearize(e);
