@@ -69,12 +69,10 @@ PUBLIC, PRIVATE = ("include/", "g2o/include/"), ("src/", "g2o/src/")
 # The circles that may exist, each with its reason. The name of a subfolder ends with a slash. A circle of more than
 # three members has the name of the first one, and the number of the others.
 CIRCLES = {
-    "g2o/core/ g2o/engine/": "to be cut",
+    "g2o/core/ g2o/engine/":
+        "The engine works on the classes of the API, whose optimizer runs on the engine.",
     "g2o/core/base_edge and 16 more":
         "In g2o, a graph owns caches and actions that refer to it, and clients rely on the includes of its headers.",
-    "g2o/types/cameras g2o/types/slam3d/": "to be cut",
-    "g2o/types/slam3d/isometry3d_mappings g2o/types/slam3d/se3quat": "to be cut",
-    "g2o/types/slam3d/parameter_camera g2o/types/slam3d/parameter_stereo_camera": "to be cut",
     "graph/graph graph/incidence":
         "The index of the edges of a vertex is a private part of Graph, in a file of its own.",
     "types/ba/reprojection types/ba/reprojection_lanes":

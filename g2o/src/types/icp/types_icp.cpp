@@ -2,9 +2,9 @@
 #include "g2o/types/icp/types_icp.h"
 
 #include "g2o/core/factory.h"
-#include "types/cameras.h"
 #include "types/ready_made_edge.h"
 #include "types/slam3d/adapters_slam3d.h"
+#include "types/slam3d/cameras.h"
 
 namespace g2o {
 

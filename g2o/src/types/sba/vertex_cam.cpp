@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/types/sba/vertex_intrinsics.h"
-#include "types/sba/adapters_sba.h"
+#include "types/sba/adapters_se3quat.h"
 
 namespace g2o {
 

@@ -3,8 +3,8 @@
 
 #include "core/edge_kind.h"
 #include "g2o/core/factory.h"
-#include "types/cameras.h"
 #include "types/ready_made_edge.h"
+#include "types/slam3d/cameras.h"
 
 G2O_USE_TYPE_GROUP(sim3)  // registers the tags for clients that use only these types
 

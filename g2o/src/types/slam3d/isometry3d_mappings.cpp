@@ -83,5 +83,13 @@ Isometry3 fromVectorQT(const Vector7& v) {
   return to_g2o(boxplus::SE3::from_vector(v));
 }
 
+SE3Quat toSE3Quat(const Isometry3& t) {
+  return SE3Quat(Matrix3(t.linear()), Vector3(t.translation()));
+}
+
+Isometry3 fromSE3Quat(const SE3Quat& t) {
+  return t;
+}
+
 }  // namespace internal
 }  // namespace g2o

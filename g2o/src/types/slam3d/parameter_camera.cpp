@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/types/slam3d/parameter_camera.h"
 
-#include "g2o/types/slam3d/parameter_stereo_camera.h"
-#include "types/cameras.h"
 #include "types/slam3d/adapters_slam3d.h"
+#include "types/slam3d/cameras.h"
 
 namespace g2o {
 
@@ -45,19 +44,6 @@ bool CacheCamera::resolveDependencies() {
 void CacheCamera::updateImpl() {
   CacheSE3Offset::updateImpl();
   _w2i.matrix().topRows<3>() = params->Kcam() * w2n().matrix().topRows<3>();
-}
-
-ParameterStereoCamera::ParameterStereoCamera() = default;
-
-bool ParameterStereoCamera::read(std::istream& is) {
-  double baseline = 0;
-  if (!ParameterCamera::read(is) || !adapters::read_value(is, 1, baseline)) return false;
-  setBaseline(baseline);
-  return true;
-}
-
-bool ParameterStereoCamera::write(std::ostream& os) const {
-  return ParameterCamera::write(os) && adapters::write_rest(os, {_baseline});
 }
 
 }  // namespace g2o

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "boxplus/manifold/se3.h"
-#include "g2o/types/slam3d/isometry3d_mappings.h"
 
 namespace g2o {
 namespace {
@@ -35,15 +34,4 @@ SE3Quat SE3Quat::exp(const Vector6& update) {
   return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), x.translation());
 }
 
-namespace internal {
-
-SE3Quat toSE3Quat(const Isometry3& t) {
-  return SE3Quat(Matrix3(t.linear()), Vector3(t.translation()));
-}
-
-Isometry3 fromSE3Quat(const SE3Quat& t) {
-  return t;
-}
-
-}  // namespace internal
 }  // namespace g2o
