@@ -47,6 +47,11 @@ void Viewer::show(const Report& report) {
   implementation_->workspace().watch_end(viewer::outcome_of(report));
 }
 
+void Viewer::show(const OutlierReport& found) {
+  take_back();
+  implementation_->workspace().watch_end(viewer::outcome_of(found));
+}
+
 void Viewer::update() {
   take_back();
   implementation_->workspace().update();

@@ -39,9 +39,7 @@ OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, 
   const ViewersOfRun viewers(graph);
   return Search(run, object).run(native.options, [&] {
     OutlierReport found = find_outliers(run.graph(), native);
-    Report shown = found.report;
-    shown.verdicts = found.verdicts;
-    viewers.show(shown);
+    viewers.show(found);
     return found;
   });
 }

@@ -18,6 +18,7 @@ class ViewerInterface {
   virtual std::string url() const = 0;
   virtual Options watch(Options options) = 0;
   virtual void show(const Report& report) = 0;
+  virtual void show(const OutlierReport& found) = 0;
   virtual void update() = 0;
   virtual void hand_over() = 0;
   virtual void take_back() = 0;

@@ -15,6 +15,7 @@ class NativeViewer final : public ViewerInterface {
   std::string url() const override { return viewer_.url(); }
   Options watch(Options options) override { return viewer_.watch(std::move(options)); }
   void show(const Report& report) override { viewer_.show(report); }
+  void show(const OutlierReport& found) override { viewer_.show(found); }
   void update() override { viewer_.update(); }
   void hand_over() override { viewer_.hand_over(); }
   void take_back() override { viewer_.take_back(); }

@@ -21,7 +21,7 @@ class ViewersOfRun {
     for (const auto& viewer : viewers_) options = viewer->watch(std::move(options));
     return options;
   }
-  void show(const Report& report) const {
+  void show(const auto& report) const {
     for (const auto& viewer : viewers_) viewer->show(report);
   }
   void update() const {

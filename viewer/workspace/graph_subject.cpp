@@ -54,6 +54,13 @@ Outcome outcome_of(const Report& report) {
   return outcome;
 }
 
+Outcome outcome_of(const OutlierReport& found) {
+  Outcome outcome = outcome_of(found.report);
+  outcome.verdicts = found.verdicts;
+  outcome.false_edges = found.count(Verdict::kOutlier);
+  return outcome;
+}
+
 GraphSubject::GraphSubject(GraphFile file, std::string name)
     : own_(std::move(file)),
       graph_(&own_->graph),
@@ -176,8 +183,8 @@ void GraphSubject::check(const Settings& settings) const {
 Outcome GraphSubject::run(const Settings& settings, Listener& listener) {
   const RunSettings chosen = run_settings(settings);
   if (chosen.suspects) return search(chosen, listener);
-  return outcome(
-      optimize(chosen, listener, [&](const IterationRecord& record) { return listener.note(record); }));
+  return outcome(outcome_of(
+      optimize(chosen, listener, [&](const IterationRecord& record) { return listener.note(record); })));
 }
 
 /// Shows the stages of a search for false edges as rows before the iterations of the last run, which begins
@@ -209,9 +216,7 @@ Outcome GraphSubject::search(const RunSettings& settings, Listener& listener) {
   const OutlierReport found = find_outliers(*graph_, {.options = options, .suspects = *settings.suspects});
   const Report& report = found.report;
   note_verdicts(found, listener);
-  Outcome result = outcome(report);
-  result.verdicts = found.verdicts;
-  result.false_edges = found.count(Verdict::kOutlier);
+  Outcome result = outcome(outcome_of(found));
   if (is_searching) note_search(std::isfinite(report.chi2_initial) ? report.chi2_initial : result.chi2);
   std::ranges::transform(result.rows, result.rows.begin(), shifted);
   result.rows.insert(result.rows.begin(), stages.begin(), stages.end());
@@ -255,8 +260,8 @@ Outcome GraphSubject::step(const Settings& settings, Listener& listener) {
   RunSettings one = run_settings(settings);
   one.options.start = Start::kCurrent;
   one.options.max_iterations = 1;
-  return outcome(
-      optimize(one, listener, [&](const IterationRecord& record) { return listener.note(record); }));
+  return outcome(outcome_of(
+      optimize(one, listener, [&](const IterationRecord& record) { return listener.note(record); })));
 }
 
 bool GraphSubject::guess(const std::string& start, Listener& listener) {
@@ -265,7 +270,7 @@ bool GraphSubject::guess(const std::string& start, Listener& listener) {
   const Report report = optimize(settings, listener, {});
   if (report.start.used == settings.options.start) {
     listener.log("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used),
-                                     outcome(report).chi2));
+                                     outcome(outcome_of(report)).chi2));
     return true;
   }
   listener.log("warning", fmt::format("no initial guess {} was made: {}", to_string(settings.options.start),
@@ -355,9 +360,8 @@ void GraphSubject::note_verdicts(const OutlierReport& found, Listener& listener)
                                    found.count(Verdict::kUndecided)));
 }
 
-/// The report has no chi2 if the run was stopped before it evaluated chi2.
-Outcome GraphSubject::outcome(const Report& report) const {
-  Outcome outcome = outcome_of(report);
+/// There is no chi2 if the run was stopped before it evaluated chi2.
+Outcome GraphSubject::outcome(Outcome outcome) const {
   if (!std::isfinite(outcome.chi2)) outcome.chi2 = graph_->chi2();
   return outcome;
 }

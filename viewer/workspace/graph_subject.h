@@ -18,6 +18,7 @@ namespace boxplus::viewer {
 
 /// The end of a run of boxplus.
 Outcome outcome_of(const Report& report);
+Outcome outcome_of(const OutlierReport& found);
 
 class GraphSubject final : public Subject {
  public:
@@ -65,7 +66,7 @@ class GraphSubject final : public Subject {
   Outcome search(const RunSettings& settings, Listener& listener);
   void try_odometry(const RunSettings& settings, double chi2_before, Listener& listener,
                     std::vector<IterationRecord>& stages);
-  Outcome outcome(const Report& report) const;
+  Outcome outcome(Outcome outcome) const;
   Message frame(const FrameFacts& facts, bool at_rest, const Uncertainty& uncertainty) const;
   void set_kernels(const RunSettings& settings, Listener& listener);
   void note_verdicts(const OutlierReport& found, Listener& listener);

@@ -16,7 +16,7 @@ namespace g2o {
 namespace internal {
 namespace {
 
-using boxplus::viewer::EdgeRole;
+using boxplus::EdgeRole;
 using boxplus::viewer::Positions;
 using boxplus::viewer::Structure;
 

@@ -38,7 +38,7 @@ class RecordedDrawing final : public Drawing {
  private:
   /// The name of an element type, and a color.
   using GroupKey = std::tuple<std::string, std::string>;
-  using LineKey = std::tuple<std::string, boxplus::viewer::EdgeRole, std::string>;
+  using LineKey = std::tuple<std::string, boxplus::EdgeRole, std::string>;
   enum class Kind : std::uint8_t { kPose, kPoint, kCorner };
   /// A shape before the groups are in their final order.
   struct Place {
@@ -55,7 +55,7 @@ class RecordedDrawing final : public Drawing {
   };
   struct Lines {
     std::string name, color;
-    boxplus::viewer::EdgeRole role;
+    boxplus::EdgeRole role;
     std::vector<std::array<Place, 2>> lines;
   };
   struct Known {
@@ -67,7 +67,7 @@ class RecordedDrawing final : public Drawing {
   void begin(const HyperGraph::HyperGraphElement& element);
   Place add(Kind kind, const Isometry3& at, const Color& color);
   Place place_of(const Vector3& corner);
-  boxplus::viewer::EdgeRole role_of(const OptimizableGraph::Edge& edge) const;
+  boxplus::EdgeRole role_of(const OptimizableGraph::Edge& edge) const;
   template <class F>
   void for_each_shape(F&& f) const;
 
@@ -82,7 +82,7 @@ class RecordedDrawing final : public Drawing {
 
   // Of the current element.
   std::string name_;
-  boxplus::viewer::EdgeRole role_ = boxplus::viewer::EdgeRole::kOther;
+  boxplus::EdgeRole role_ = boxplus::EdgeRole::kOther;
   const OptimizableGraph::Vertex* vertex_ = nullptr;
   const OptimizableGraph::Edge* edge_ = nullptr;
 };

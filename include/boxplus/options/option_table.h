@@ -65,8 +65,8 @@ struct Option {
   T Options::*member;
   /// The name on the command line and in the viewer, and the heading under which it stands there; empty if it
   /// cannot be chosen there.
-  std::string_view setting, group;
-  std::string_view help;  ///< one or two sentences, without a period at the end
+  std::string_view setting = {}, group = {};
+  std::string_view help = {};  ///< one or two sentences, without a period at the end
   OptionRange range = OptionRange::kAny;
   std::string_view unit = {};  ///< what stands for the value in help texts
   /// On the command line and in the viewer, 0 is refused, because it stands for the default.

@@ -8,6 +8,7 @@
 #include "boxplus/graph/graph.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/options/options.h"
+#include "boxplus/outliers/outliers.h"
 
 namespace boxplus {
 
@@ -50,6 +51,8 @@ class Viewer {
   Options watch(Options options = {});
   /// Shows the end of a run, and the current estimates.
   void show(const Report& report);
+  /// The same for the final run of find_outliers(); its verdicts color the edges.
+  void show(const OutlierReport& found);
   /// Shows the current estimates. Call it if the program has changed estimates or elements outside of a run.
   void update();
 

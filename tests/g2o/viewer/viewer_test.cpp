@@ -22,8 +22,8 @@ G2O_USE_OPTIMIZATION_LIBRARY(eigen)
 namespace g2o {
 namespace {
 
+using boxplus::EdgeRole;
 using boxplus::Settings;
-using boxplus::viewer::EdgeRole;
 using boxplus::viewer::Shape;
 using boxplus::viewer::Structure;
 using internal::OptimizerSubject;
