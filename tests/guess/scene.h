@@ -97,7 +97,7 @@ class Scene {
 template <class F>
 void for_each_guess(F&& body) {
   for (std::size_t k = 0; k < every_guess().size(); ++k) {
-    SCOPED_TRACE(every_guess()[k].name);
+    SCOPED_TRACE(to_string(every_guess()[k].start));
     body(k);
   }
 }

@@ -200,7 +200,7 @@ std::vector<std::pair<std::string, Phase>> phases() {
          linearizer.chi2();
        })}};
   for (const detail::StartEntry& start : every_guess()) {
-    all.emplace_back(start.name,
+    all.emplace_back(to_string(start.start),
                      on_graph([guess = start.guess](Graph& g, const Plan& plan, const StopToken& stop) {
                        EXPECT_TRUE(guess(g, plan, {.stop = stop}).made);
                      }));

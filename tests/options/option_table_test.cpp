@@ -32,7 +32,9 @@ TEST(OptionTable, HasEachNameOnceAndAHelp) {
     EXPECT_TRUE(names.insert(option.name).second) << option.name;
     EXPECT_FALSE(option.help.empty()) << option.name;
     EXPECT_EQ(option.setting.empty(), option.group.empty()) << option.name;
-    if (!option.setting.empty()) EXPECT_TRUE(settings.insert(option.setting).second) << option.setting;
+    if (!option.setting.empty()) {
+      EXPECT_TRUE(settings.insert(option.setting).second) << option.setting;
+    }
   });
 }
 
