@@ -21,7 +21,7 @@ namespace {
 using ::testing::HasSubstr;
 
 Graph small_world() {
-  Graph graph = simulate(World::kManhattan, {.poses = 60, .seed = 3}).graph;
+  Graph graph = simulate(World::kManhattan, {.poses = 150, .seed = 3}).graph;
   graph.set_fixed(graph.all_vertices().front(), true);
   return graph;
 }
