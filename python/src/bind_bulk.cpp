@@ -92,7 +92,7 @@ py::array_t<Id> add_vertices(GraphObject& self, py::handle type, py::handle ids,
   return result;
 }
 
-py::tuple estimates(const GraphObject& self, py::handle type) {
+std::pair<py::array_t<Id>, Numbers> estimates(const GraphObject& self, py::handle type) {
   const Graph& graph = self.read();
   const VertexKind& kind = kind_of_class(type, "type");
   std::vector<std::pair<Id, VertexRef>> found;
@@ -114,7 +114,7 @@ py::tuple estimates(const GraphObject& self, py::handle type) {
     kind.get_row(graph, vertex, row);
     row += kind.size;
   }
-  return py::make_tuple(ids, rows);
+  return {ids, rows};
 }
 
 /// The vertices of an array of ids, or of a list with VertexRefs.

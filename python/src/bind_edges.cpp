@@ -161,8 +161,8 @@ void bind_weights(GraphClass& type) {
   def_edge(
       type, "jacobian",
       [](const Graph& graph, EdgeRef edge) {
-        py::list blocks;
-        for (const Eigen::MatrixXd& block : graph.jacobian(edge)) blocks.append(to_array(block));
+        std::vector<Numbers> blocks;
+        for (const Eigen::MatrixXd& block : graph.jacobian(edge)) blocks.push_back(to_array(block));
         return blocks;
       },
       "One block per vertex.");

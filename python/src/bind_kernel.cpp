@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robust kernels by name.
 #include <memory>
+#include <tuple>
 
 #include "bind.h"
 #include "boxplus/robust/default_width.h"
@@ -17,7 +18,7 @@ void bind_kernel(py::module_& module) {
           "__call__",
           [](const RobustKernel& kernel, double e2) {
             const RobustKernel::Rho rho = kernel(e2);
-            return py::make_tuple(rho.value, rho.first, rho.second);
+            return std::tuple(rho.value, rho.first, rho.second);
           },
           py::arg("e2"), "(ρ, ρ′, ρ″) of the squared error.")
       .def("__repr__", [](const RobustKernel& kernel) {

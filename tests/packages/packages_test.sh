@@ -73,6 +73,7 @@ grep -q '^VERTEX_XYT 3 1 2 0$' <<<"$("$root/usr/bin/g2o_online" 2>/dev/null <<<'
 # The Python module, if it is built for Debian's interpreter.
 if [[ "${packages[*]}" == *python3-boxplus* ]]; then
   folder="$(dirname "$(find "$root/usr/lib" -type d -name boxplus -path '*-packages*')")"
+  [[ -f "$folder/boxplus/__init__.pyi" ]] || fail "the package has no types"
   PYTHONPATH="$folder" /usr/bin/python3 -B -c "
 import boxplus
 assert boxplus.__file__.startswith('$root'), boxplus.__file__

@@ -16,6 +16,7 @@ print(name, file=sys.stderr)" 2>&1 >/dev/null | tail -1)"
 # The modules use the libraries in the wheel, and no path of the build.
 mapfile -t modules < <(find "$work/unpacked/boxplus" -name '_*.so')
 ((${#modules[@]} >= 1)) || fail "the wheel has no module"
+[[ -f "$work/unpacked/boxplus/__init__.pyi" ]] || fail "the wheel has no types"
 for module in "${modules[@]}"; do
   ldd "$module" | grep -E 'lib(amd|camd|fmt|suitesparse|cpp-httplib)' | grep -v "$work/unpacked/boxplus" && fail "the wheel lacks libraries"
   readelf -d "$module" | grep -qF "$build" && fail "the module contains the path of the build"

@@ -4,11 +4,16 @@
 import ast
 import copy
 import pathlib
+import subprocess
+import sys
+import tempfile
 import unittest
 
 import boxplus
+from boxplus import _boxplus
 
 PACKAGE = pathlib.Path(boxplus.__file__).parent
+SOURCES = pathlib.Path(__file__).parents[2] / "python"
 # Modules of the package with names of their own; boxplus does not import plot.
 MODULES = ("plot", "rows")
 # Only for the stubs: aliases, and the base class of enumerations.
@@ -56,14 +61,19 @@ class Stubs(unittest.TestCase):
                 self.assert_same_names(child, getattr(cls, name), f"{where}.{name}")
 
     def test_the_stubs_have_the_names_of_the_module(self):
-        names = {}
-        for path in PACKAGE.glob("*.pyi"):
-            if path.stem not in MODULES:
-                names.update(names_in_stub(parsed(path)))
+        names = names_in_stub(parsed(PACKAGE / "__init__.pyi"))
         self.assertEqual(set(names) - STUB_ONLY, set(boxplus.__all__))
         for name, child in names.items():
             if isinstance(child, ast.ClassDef) and name not in STUB_ONLY:
                 self.assert_same_names(child, getattr(boxplus, name), name)
+
+    def test_every_type_of_the_stubs_is_known(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "__init__.pyi"
+            command = [sys.executable, SOURCES / "make_stubs.py", _boxplus.__file__, SOURCES / "stubs.pyi", path]
+            process = subprocess.run(command, capture_output=True, text=True, check=True)
+            self.assertEqual(process.stderr, "")
+            self.assertEqual(path.read_bytes(), (PACKAGE / path.name).read_bytes())
 
     def test_the_stubs_of_other_modules_have_their_functions_and_arguments(self):
         for name in MODULES:  # compares the sources, because the module may lack what it needs
