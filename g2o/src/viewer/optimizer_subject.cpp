@@ -232,13 +232,15 @@ std::vector<Setting> OptimizerSubject::settings() const {
 
 Message OptimizerSubject::form() const {
   const auto all = algorithms();
-  return boxplus::viewer::form_message({{"g2o", ".g2o"}}, settings(), [&](const Setting& setting, std::string_view word) {
-    if (setting.name != "algorithm") return std::string();
-    const auto property = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == word; });
-    if (property == all.end() || optimizer_->isSolverSuitable(*property)) return std::string();
-    return fmt::format("needs poses with {} and landmarks with {} dimensions", property->poseDim,
-                       property->landmarkDim);
-  });
+  return boxplus::viewer::form_message(
+      {{"g2o", ".g2o"}}, settings(), [&](const Setting& setting, std::string_view word) {
+        if (setting.name != "algorithm") return std::string();
+        const auto property =
+            std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == word; });
+        if (property == all.end() || optimizer_->isSolverSuitable(*property)) return std::string();
+        return fmt::format("needs poses with {} and landmarks with {} dimensions", property->poseDim,
+                           property->landmarkDim);
+      });
 }
 
 OptimizerSubject::Choice OptimizerSubject::choice_of(const Settings& values) const {
