@@ -57,7 +57,7 @@ class Runs(unittest.TestCase):
         options = Options(algorithm="gauss-newton", max_iterations=1)
         options.threads = 1
         self.assertEqual(repr(options),
-                         "Options(algorithm=<AlgorithmKind.kGaussNewton: 1>, max_iterations=1, threads=1)")
+                         "Options(algorithm=<AlgorithmKind.kGaussNewton: 1>, threads=1, max_iterations=1)")
         report = optimize(graph, options, linear_solver=boxplus.LinearSolverKind.kDense, damping="identity")
         self.assertEqual((report.iterations, report.algorithm, report.linear_solver), (1, "Gauss-Newton", "dense"))
         self.assertEqual(options.linear_solver, boxplus.LinearSolverKind.kAutomatic)
