@@ -239,9 +239,11 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   return candidates;
 }
 
-/// The linear combinations of the candidates that neither an edge nor a fixed direction resists.
-MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
-                                    const WorldMotions& motions, MatrixXd candidates) const {
+/// The linear combinations of the candidates that neither an edge nor a fixed direction resists. Flattened,
+/// because a client's allocation of dynamic matrices must not replace that of the library (tests/abi).
+[[gnu::flatten]] MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices,
+                                                     std::span<const EdgeSlot> edges,
+                                                     const WorldMotions& motions, MatrixXd candidates) const {
   constexpr double kNothing = 1e-12;
   MatrixXd sum = MatrixXd::Zero(motions.count(), motions.count()), jacobian, changes;
   for (const VertexSlot v : vertices) {
