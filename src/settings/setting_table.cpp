@@ -162,7 +162,8 @@ class TableMaker {
       Choices<T> choices;
       for (const std::string_view word : detail::OptionWords<T>::kAll)
         choices.emplace_back(word, static_cast<T>(choices.size()));
-      std::ranges::stable_partition(choices, [](const auto& choice) { return choice.first == "automatic"; });
+      std::stable_partition(choices.begin(), choices.end(),
+                            [](const auto& choice) { return choice.first == "automatic"; });
       make_choice(setting, choices, access);
     } else if constexpr (std::is_same_v<T, int>) {
       make_whole_number(setting, 0, access);
