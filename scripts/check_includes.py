@@ -62,7 +62,7 @@ MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
 # private headers.
 PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "python", "tests", "viewer")
 PUBLIC_ONLY = ("examples", "fuzz", "python")
-for folder in PROGRAMS:
+for folder in set(PROGRAMS) - set(ALLOWED):
     MAY_INCLUDE[folder] = {*ALLOWED, "boxplus.h", *PROGRAMS}
 PUBLIC, PRIVATE = ("include/", "g2o/include/"), ("src/", "g2o/src/")
 

@@ -43,7 +43,7 @@ LONG = 60  # lines of a function
 NO_CODE = re.compile(r"""//[^\n]*|/\*.*?\*/|R"(?P<tag>[^()\s]*)\(.*?\)(?P=tag)"|"(?:\\.|[^"\\\n])*"
                          |(?<!\w)'(?:\\.|[^'\\\n])+'|^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*""",
                      re.DOTALL | re.MULTILINE | re.VERBOSE)
-TYPE = re.compile(r"^\s*(?:class|struct)\s+(?:\w+_API\s+)?(\w+)\s*[^;(){}]*\{", re.MULTILINE)
+TYPE = re.compile(r"^\s*(?:class|struct)\s+(?:\[\[\w+\]\]\s+)?(?:\w+_API\s+)?(\w+)\s*[^;(){}]*\{", re.MULTILINE)
 DECIMAL = re.compile(r"(?<![\w.])(?:\d[\d']*\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][+-]?\d+)?")
 
 # The beginning of a statement that ends with a brace.

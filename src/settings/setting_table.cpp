@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -157,7 +158,7 @@ class TableMaker {
       return settings.options.*member;
     };
     RunSettings defaults;
-    const T by_default = access(defaults);
+    [[maybe_unused]] const T by_default = access(defaults);
     if constexpr (std::is_enum_v<T>) {
       Choices<T> choices;
       for (const std::string_view word : detail::OptionWords<T>::kAll)
@@ -171,6 +172,8 @@ class TableMaker {
     } else if constexpr (std::is_same_v<T, double>) {
       make_number(setting, option.excludes_zero, access);
       if (option.unit.empty()) setting.default_text = fmt::format("{:g}", by_default);
+    } else {
+      assert(!"there is no setting of this type yet");
     }
   }
 

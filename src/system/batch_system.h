@@ -45,7 +45,9 @@ class BatchSystem final : public RunSystem {
   void forget_scale() override { model_.diagonal.begin_run(); }
   void reject() override;
   Trial& trial() override { return trial_; }
-  bool is_free() override;
+  /// Whether any component of the graph can move without changing an error. May factorize H at the current
+  /// estimates to find out.
+  bool is_free();
   bool gauge_is_free() const override { return model_.gauge.learned().holds; }
   int held_directions() const override {
     return static_cast<int>(model_.gauge.learned().lost_scalars.size());
@@ -54,7 +56,8 @@ class BatchSystem final : public RunSystem {
   VertexRef failed_vertex() const override { return plan().block_vertex[factored_.failed_block()]; }
   bool has_bounds() const override { return !model_.bounds.empty(); }
   bool changes_bounds() const override { return bounded_.changes_bounds(); }
-  void report_bounds(std::vector<detail::ActiveBound>& out) const override {
+  /// Appends the active bounds at the last linearization, in the order of the plan.
+  void report_bounds(std::vector<detail::ActiveBound>& out) const {
     model_.bounds.report(model_.graph, plan(), out);
   }
   void set_precise(bool precise) override { exact_.set_precise(precise); }

@@ -58,7 +58,7 @@ struct Model {
   Bounds bounds;
   StepDiagonal diagonal;
   std::vector<double> gradient, right_hand_side;
-  double chi2 = 0;           ///< at the estimates of the last linearization
+  double chi2 = 0;           ///< the last one that was evaluated before the last linearization
   bool is_complete = false;  ///< whether the last linearization was not stopped
   LinearizeOptions options;
   SolveControl control;

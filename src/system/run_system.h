@@ -4,19 +4,17 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "boxplus/linear/linear_statistics.h"
-#include "boxplus/system/active_bound.h"
 #include "boxplus/system/system.h"
 #include "linearize/linearizer.h"
 #include "system/trial.h"
 
 namespace boxplus {
 
-/// What a run asks of its System, besides what its algorithm asks: descent.h, starts.h and fill_report.h in
-/// optimize/. Trial steps are the same for every System. The functions with a body suit a System without
-/// bounds, without gauge freedom and without steps in double-double.
+/// What descent, starts, finish_stiff, flat_directions and fill_report (in optimize/) ask of the System of a
+/// run, besides what its algorithm asks. Trial steps are the same for every System. The functions with a body
+/// suit a System without bounds, without gauge freedom and without steps in double-double.
 class RunSystem : public System {
  public:
   /// How the System computes.
@@ -44,9 +42,6 @@ class RunSystem : public System {
 
   // ---- Gauge ----
 
-  /// Whether any component of the graph can move without changing an error. May factorize H at the current
-  /// estimates to find out.
-  virtual bool is_free() { return !plan().freedoms.empty(); }
   /// Returns false after a step has shown that edges measure a motion that the plan considers free.
   virtual bool gauge_is_free() const { return true; }
   /// The number of directions that are held because their pivots vanished (Plan::undetermined_blocks).
@@ -62,14 +57,12 @@ class RunSystem : public System {
   /// Whether bounds shorten the last step of solve(), the step takes an entry to a limit, or it makes the
   /// gradient of an active entry point away from its limit. Then the next step may decrease chi2 much more.
   virtual bool changes_bounds() const { return false; }
-  /// Appends the active bounds at the last linearization, in the order of the plan.
-  virtual void report_bounds(std::vector<detail::ActiveBound>& /*out*/) const {}
 
   // ---- Steps in double-double ----
 
   /// If the factor in double loses a pivot, and some edge is stiff (linearize/stiff_edge.h), solve() computes
   /// the step in double-double, as long as such steps are affordable. After set_precise(true), it does so in
-  /// every case.
+  /// every case, if the System can.
   virtual void set_precise(bool /*precise*/) {}
   /// The number of steps that were computed in double-double in this run.
   virtual int precise_steps() const { return 0; }

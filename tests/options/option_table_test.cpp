@@ -5,9 +5,11 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <limits>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "boxplus/algorithm/algorithm_table.h"
 #include "boxplus/base/error.h"
@@ -38,6 +40,38 @@ TEST(OptionTable, HasEachNameOnceAndAHelp) {
   });
 }
 
+template <class E>
+void expect_words(std::initializer_list<std::pair<E, std::string_view>> words) {
+  EXPECT_EQ(OptionWords<E>::kAll.size(), words.size());
+  for (const auto& [value, word] : words) EXPECT_EQ(detail::word_of(value), word);
+}
+
+TEST(OptionTable, HasTheWordOfEachValueInItsPlace) {
+  using enum Options::DampingScale;
+  expect_words<AlgorithmKind>({{AlgorithmKind::kAutomatic, "automatic"},
+                               {AlgorithmKind::kGaussNewton, "gauss-newton"},
+                               {AlgorithmKind::kLevenbergMarquardt, "levenberg-marquardt"},
+                               {AlgorithmKind::kDogleg, "dogleg"}});
+  expect_words<LinearSolverKind>({{LinearSolverKind::kAutomatic, "automatic"},
+                                  {LinearSolverKind::kBlockCholesky, "cholesky"},
+                                  {LinearSolverKind::kPcg, "pcg"},
+                                  {LinearSolverKind::kDense, "dense"},
+                                  {LinearSolverKind::kEigenSparse, "eigen"}});
+  expect_words<Precision>(
+      {{Precision::kAutomatic, "automatic"}, {Precision::kDouble, "double"}, {Precision::kMixed, "mixed"}});
+  expect_words<Start>({{Start::kCurrent, "current"},
+                       {Start::kOdometry, "odometry"},
+                       {Start::kSpanningTree, "spanning-tree"},
+                       {Start::kChordal, "chordal"},
+                       {Start::kAutomatic, "automatic"}});
+  expect_words<GaugePolicy>(
+      {{GaugePolicy::kFixFirst, "fix-first"}, {GaugePolicy::kDamp, "damp"}, {GaugePolicy::kError, "error"}});
+  expect_words<SchurMode>({{SchurMode::kAutomatic, "automatic"},
+                           {SchurMode::kExplicit, "explicit"},
+                           {SchurMode::kImplicit, "implicit"}});
+  expect_words<Options::DampingScale>({{kIdentity, "identity"}, {kDiagonal, "diagonal"}});
+}
+
 TEST(OptionTable, HasAWordForEachRowOfTheOtherTables) {
   EXPECT_EQ(OptionWords<AlgorithmKind>::kAll.size(), detail::algorithm_table().size());
   EXPECT_EQ(OptionWords<Start>::kAll.size(), detail::start_table().size());
@@ -45,8 +79,6 @@ TEST(OptionTable, HasAWordForEachRowOfTheOtherTables) {
   EXPECT_EQ(to_string(AlgorithmKind::kDogleg), "dogleg");
   EXPECT_EQ(to_string(Start::kSpanningTree), "spanning-tree");
   EXPECT_EQ(to_string(static_cast<Start>(9)), "unknown");
-  EXPECT_EQ(detail::word_of(LinearSolverKind::kEigenSparse), "eigen");
-  EXPECT_EQ(detail::word_of(Precision::kMixed), "mixed");
 }
 
 /// The message of check_options(), or an empty text.

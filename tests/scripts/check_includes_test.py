@@ -96,8 +96,13 @@ class CheckIncludes(unittest.TestCase):
     def test_the_library_must_not_include_a_program(self):
         self.assert_reported(
             {"viewer/scene/errors.h": "", "src/io/x.cpp": '#include "viewer/scene/errors.h"\n',
-             "apps/boxplus/a.h": "", "viewer/x.cpp": '#include "apps/boxplus/a.h"\n'},
+             "apps/boxplus/a.h": "", "tests/x.cpp": '#include "apps/boxplus/a.h"\n'},
             "src/io/x.cpp:1: io must not include viewer (viewer/scene/errors.h)")
+
+    def test_the_viewer_must_not_include_the_command(self):
+        self.assert_reported(
+            {"apps/boxplus/a.h": "", "viewer/x.cpp": '#include "apps/boxplus/a.h"\n'},
+            "viewer/x.cpp:1: viewer must not include apps (apps/boxplus/a.h)")
 
     def test_a_relative_include_is_followed(self):
         self.assert_reported(

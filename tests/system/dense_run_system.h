@@ -32,10 +32,10 @@ class DenseRunSystem final : public RunSystem {
   }
   bool linearize() override {
     trial_.order().expect_no_trial("System::linearize");
+    trial_.order().linearized();
     if (is_stopped()) return false;
     dense_ = dense_reference(graph_, plan_);
     diagonal_ = dense_.hessian.diagonal();
-    trial_.order().linearized();
     return dense_.hessian.allFinite() && dense_.gradient.allFinite();
   }
   bool stopped() const override { return stopped_; }
@@ -48,6 +48,7 @@ class DenseRunSystem final : public RunSystem {
   StepResult solve(const StepDamping& damping, std::span<double> step) override {
     trial_.order().expect_vector("System::solve", step.size(), plan_.scalars());
     if (stopped_) return {LinearStatus::kStopped};
+    if (!dense_.hessian.allFinite() || !dense_.gradient.allFinite()) return {LinearStatus::kNotFinite};
     Eigen::MatrixXd damped = dense_.hessian;
     if (damping.scale == Options::DampingScale::kIdentity) {
       damped.diagonal().array() += damping.lambda;

@@ -71,7 +71,7 @@ struct Option {
   std::string_view unit = {};  ///< what stands for the value in help texts
   /// On the command line and in the viewer, 0 is refused, because it stands for the default.
   bool excludes_zero = false;
-  /// The option has no effect unless `algorithm` has this word.
+  /// On the command line and in the viewer, the option needs `algorithm` with this word.
   std::string_view needed_algorithm = {};
 };
 template <class T, class... More>
