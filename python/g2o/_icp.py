@@ -60,7 +60,7 @@ def _decoded(row):
     return pair
 
 
-#: The row has the two points.
+#: The measurement is an EdgeGICP, of which the row has the two points.
 _PAIR = Codec("EdgeGICP", np.zeros(6),
               lambda value: np.append(vector(value.pos0, 3, "pos0"), vector(value.pos1, 3, "pos1")), _decoded)
 

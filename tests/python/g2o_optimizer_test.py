@@ -7,7 +7,6 @@ import pathlib
 import tempfile
 import threading
 import unittest
-import warnings
 
 import boxplus
 import g2o
