@@ -54,7 +54,8 @@ class Parameter(Element):
 
 class Vertex(Element):
     """An estimate. Its subclasses have
-        _KIND   the type of boxplus that holds the estimate, or None: boxplus then holds steps from the estimate
+        _KIND   the type of boxplus that holds the estimate, unless a class has oplus_impl(): boxplus then holds steps from
+                the estimate
         _CODEC  how to convert the estimate to a row
     """
 
@@ -126,10 +127,10 @@ class Vertex(Element):
         return self._CODEC.size
 
     def get_estimate_data(self):
-        return self._row.copy()
+        return self._CODEC.turn(self._row)
 
     def set_estimate_data(self, data):
-        self.set_estimate(self._CODEC.decode(np.array(data, dtype=float)))
+        self.set_estimate(self._CODEC.decode(self._CODEC.turn(np.array(data, dtype=float))))
         return True
 
     def push(self):
@@ -160,7 +161,7 @@ class Vertex(Element):
 
     def _is_chart(self):
         """True if boxplus holds steps from the estimate instead of the estimate."""
-        return self._KIND is None or hasattr(self, "oplus_impl")
+        return hasattr(self, "oplus_impl")
 
     def _state(self):
         """A copy of the estimate, which a step does not change."""
@@ -269,11 +270,11 @@ class Edge(Element):
         self._changed()
 
     def set_measurement_data(self, data):
-        self.set_measurement(self._CODEC.decode(np.array(data, dtype=float)))
+        self.set_measurement(self._CODEC.decode(self._CODEC.turn(np.array(data, dtype=float))))
         return True
 
     def get_measurement_data(self):
-        return self._z.copy()
+        return self._CODEC.turn(self._z)
 
     def measurement_dimension(self):
         return self._CODEC.size

@@ -6,7 +6,7 @@ import numpy as np
 import boxplus
 
 from . import _kinds
-from ._groups import ChartGroup, CustomGroup, Group, GroupWithJacobians
+from ._groups import CustomGroup, Group, GroupWithJacobians
 
 #: A step of more than 12 numbers is in several vertices of boxplus. These are the ids of the others.
 FIRST_STEP_ID = 1 << 60
@@ -16,10 +16,9 @@ WITH_SENSOR = (boxplus.OffsetPointObservation2, boxplus.OffsetPointObservation3)
 
 def _measurement(edge):
     """The measurement of a native edge, as an object of boxplus."""
+    types = {"SE2": boxplus.SE2, "Isometry3d": boxplus.SE3, "Sim3": boxplus.Sim3}
     name = edge._CODEC.name
-    if name == "SE2":
-        return boxplus.SE2.from_vector(edge._z)
-    return boxplus.SE3.from_vector(edge._z) if edge._CODEC.size == 7 else edge._z
+    return types[name].from_vector(edge._z) if name in types else edge._z
 
 
 class Engine:
@@ -45,8 +44,6 @@ class Engine:
         self._add_edges([edge for edge in edges if edge not in self.refs and None not in edge._vertices])
         self._change_edges(changed_edges)
         self._set_kernels(edges)
-        for group in self._groups.values():
-            group.forget_estimates()
 
     def remove_vertex(self, vertex):
         for id in self.ids.pop(vertex, ()):
@@ -80,6 +77,8 @@ class Engine:
         for id in self.ids[vertex]:
             self.graph.set_fixed(id, vertex.fixed())
             self.graph.set_eliminated(id, vertex.marginalized())
+        if vertex._KIND is _kinds.SIM3 and not vertex._is_chart():
+            self.graph.fix_directions(vertex.id(), vertex._fixed_directions())
 
     def _change_vertices(self, changed):
         by_kind = {}
@@ -153,11 +152,8 @@ class Engine:
     def _extend_group(self, key, edges, kinds, charts):
         group = self._groups.get(key)
         if group is None:
-            # A vertex with steps in Python has no _moved_rows().
-            in_python = edges[0]._is_custom() or any(
-                chart and not hasattr(vertex, "_moved_rows") for chart, vertex in zip(charts, edges[0]._vertices))
             make = GroupWithJacobians if type(edges[0])._jacobians is not None else Group
-            make = CustomGroup if in_python else ChartGroup if any(charts) else make
+            make = CustomGroup if edges[0]._is_custom() or any(charts) else make
             # Messages name the class of a group.
             self._groups[key] = group = type(type(edges[0]).__name__, (make,), {})(kinds)
         places = group.extend(edges)
@@ -223,8 +219,6 @@ class Engine:
         vertex._apply(step)
         for kind, id in zip(_kinds.pieces(vertex.dimension()), self.ids[vertex]):
             self.graph.set_estimate(id, np.zeros(kind.size))
-        for group in self._groups.values():
-            group.forget_estimates()
 
     def covariances(self, vertices, options):
         """A function of two vertices that gives a block, or None if H is singular."""

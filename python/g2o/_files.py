@@ -9,6 +9,8 @@ import math
 
 import numpy as np
 
+import boxplus
+
 from . import _rows
 from ._geometry import unit_quaternion
 from ._icp import EdgeGICP, EdgeVVGicp
@@ -35,8 +37,8 @@ EDGES = {cls._TAG: cls for cls in (
     EdgeProjectP2SC, EdgeProjectPSI2UV, EdgeProjectXYZ2UV, EdgeProjectXYZ2UVU, EdgeSBACam, EdgeSBAScale, EdgeSE3Expmap,
     EdgeSE3ProjectXYZ, EdgeSE3ProjectXYZOnlyPose, EdgeStereoSE3ProjectXYZ, EdgeStereoSE3ProjectXYZOnlyPose, EdgeSim3,
     EdgeSim3ProjectXYZ, EdgeInverseSim3ProjectXYZ, EdgeVVGicp, EdgeSE2LotsOfXY, EdgeSE3LotsOfXYZ)}
-#: Types whose files have the inverse of the pose, or the logarithm of the inverse of the similarity.
-INVERTED = (VertexSE3Expmap, EdgeSE3Expmap, VertexSim3Expmap, EdgeSim3)
+#: Types whose files have the inverse of the pose. Those of similarities have the logarithm of the inverse, which is the row.
+INVERTED = (VertexSE3Expmap, EdgeSE3Expmap)
 #: The most lines that a warning names.
 MOST_NAMED = 5
 
@@ -146,7 +148,7 @@ def _read_vertex(optimizer, vertex, fields):
         raise ValueError(f"expected a new id from 0, got {id}")
     vertex._id = id
     if isinstance(vertex, VertexSim3Expmap):
-        vertex._row = _rows.similarity_inverse(_rows.similarity_exponential(fields.numbers(7)[None]))[0]
+        vertex._row = boxplus.Sim3.exp(fields.numbers(7)).vector()
         count = 8 if fields.left() == 8 else 4
         vertex._cameras[:count] = fields.numbers(count)
     else:
@@ -230,7 +232,7 @@ def _read_pair(edge, fields):
 
 def _read_measurement(edge, fields):
     if isinstance(edge, EdgeSim3):
-        edge._z = _rows.similarity_inverse(_rows.similarity_exponential(fields.numbers(7)[None]))[0]
+        edge._z = boxplus.Sim3.exp(fields.numbers(7)).vector()
     else:
         edge._z = _row(edge, fields)
     size = edge.dimension()
@@ -276,7 +278,7 @@ def _line(tag, *parts):
 
 def _vertex_fields(vertex):
     if isinstance(vertex, VertexSim3Expmap):
-        return np.append(_rows.similarity_logarithm(_rows.similarity_inverse(vertex._row[None]))[0], vertex._cameras)
+        return np.append(boxplus.Sim3.from_vector(vertex._row).log(), vertex._cameras)
     row = _rows.inverse(vertex._row[None])[0] if isinstance(vertex, INVERTED) else vertex._row
     return np.append(row, vertex._intrinsics) if isinstance(vertex, VertexCam) else row
 
@@ -286,7 +288,7 @@ def _edge_fields(edge):
         pair = edge.measurement()
         return np.concatenate([pair.pos0, pair.normal0, pair.pos1, pair.normal1])
     if isinstance(edge, EdgeSim3):
-        row = _rows.similarity_logarithm(_rows.similarity_inverse(edge._z[None]))[0]
+        row = boxplus.Sim3.from_vector(edge._z).log()
     else:
         row = _rows.inverse(edge._z[None])[0] if isinstance(edge, INVERTED) else edge._z
     fields = [row, edge._information[np.triu_indices(edge.dimension())]]

@@ -178,8 +178,8 @@ class Quaternion:
 
     def slerp(self, t, other):
         """The rotation at the fraction t of the way to the other one."""
-        step = (self.inverse() * other).normalized()
-        return self * Quaternion(_rows.quaternion_of_vector(t * _rows.rotation_vector(step._q[None]))[0])
+        step = AngleAxis((self.inverse() * other).normalized())
+        return self * AngleAxis(t * step.angle(), step.axis())
 
     def to_rotation_matrix(self):
         return _rows.matrix_of(self._q[None])[0]

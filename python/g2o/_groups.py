@@ -38,9 +38,6 @@ class Group(boxplus.BatchedEdge):
         """Reads the measurement of an edge again."""
         self.data[place] = self.edge(place)._data()
 
-    def forget_estimates(self):
-        """The estimates of vertices of which boxplus holds only steps have changed."""
-
     def error(self, *columns):
         with np.errstate(all="ignore"):  # a result that is not finite is in the report
             return self.type._residuals(self.data[columns[-1][:, 0].astype(int)], *columns[:-1])
@@ -54,31 +51,33 @@ class GroupWithJacobians(Group):
             return self.type._jacobians(self.data[columns[-1][:, 0].astype(int)], *columns[:-1])
 
 
-class ChartGroup(Group):
-    """Edges with vertices of which boxplus holds only steps. Jacobians are numeric."""
-
-    def __init__(self, kinds):
-        super().__init__(kinds)
-        self._bases = {}
-
-    def forget_estimates(self):
-        self._bases = {}
-
-    def extend(self, edges):
-        self._bases = {}
-        return super().extend(edges)
+class CustomGroup(Group):
+    """Edges whose errors, or the steps of whose vertices, are written in Python by the user."""
 
     def error(self, *columns):
         return self.errors_at(*self._vertices(columns))
 
     def jacobians(self, *columns):
         values, places = self._vertices(columns)
-        blocks = [self._numeric(values, places, i) for i in range(len(values))]
-        return [part for i, block in enumerate(blocks) for part in self._parts(block, i)]
+        if hasattr(self.type, "linearize_oplus"):
+            blocks = self._written(values, places)
+        else:
+            blocks = [self._numeric(values, places, i) for i in range(len(values))]
+        return [part for block, kinds in zip(blocks, self.kinds)
+                for part in np.split(block, np.cumsum([kind.dim for kind in kinds])[:-1], axis=2)]
 
-    def _parts(self, block, i):
-        ends = np.cumsum([kind.dim for kind in self.kinds[i]])[:-1]
-        return np.split(block, ends, axis=2)
+    def _written(self, values, places):
+        """The blocks that linearize_oplus() returns, by the steps of boxplus."""
+        blocks = [np.empty((len(places), self.edge(places[0]).dimension(), sum(kind.dim for kind in kinds)))
+                  for kinds in self.kinds]
+
+        def linearize(k, edge):
+            for block, jacobian, vertex in zip(blocks, edge._linearize(), edge._vertices):
+                tangent = None if vertex._is_chart() else vertex._tangent()
+                block[k] = jacobian if tangent is None else jacobian @ np.linalg.inv(tangent)
+
+        self._for_each(values, places, linearize)
+        return blocks
 
     def _vertices(self, columns):
         """One array per vertex, with the rows of its estimates or steps, and the places of the edges."""
@@ -94,60 +93,17 @@ class ChartGroup(Group):
         dim = sum(kind.dim for kind in self.kinds[i])
         block = np.empty((len(places), self.edge(places[0]).dimension(), dim))
         for direction in range(dim):
-            is_step = kind is None or self._is_chart(places, i)
-            size = np.ones(len(places)) if is_step else _kinds.sizes(kind, values[i], direction)
+            size = 1 if kind is None else _kinds.sizes(kind, values[i], direction)
             steps = np.zeros((len(places), dim))
             steps[:, direction] = STEP * np.maximum(1, size)
             ahead, behind = (self._moved(values, places, i, kind, sign * steps) for sign in (1, -1))
             block[:, :, direction] = (ahead - behind) / (2 * steps[:, direction:direction + 1])
         return block
 
-    def _is_chart(self, places, i):
-        return self.edge(places[0])._vertices[i]._is_chart()
-
     def _moved(self, values, places, i, kind, steps):
         values = list(values)
         values[i] = values[i] + steps if kind is None else _kinds.moved(kind, values[i], steps)
         return self.errors_at(values, places)
-
-    def errors_at(self, values, places):
-        rows = [self._estimates(i, steps, places) if self._is_chart(places, i) else steps for i, steps in enumerate(values)]
-        return self.type._residuals(self.data[places], *rows)
-
-    def _estimates(self, i, steps, places):
-        if i not in self._bases:
-            rows = np.empty((len(self._edges), self.edge(places[0])._vertices[i]._CODEC.size))
-            is_scale_fixed = np.zeros(len(self._edges), dtype=bool)
-            for place, ref in enumerate(self._edges):
-                edge = ref()
-                if edge is not None and edge._vertices[i] is not None:
-                    rows[place], is_scale_fixed[place] = edge._vertices[i]._row, edge._vertices[i].fix_scale()
-            self._bases[i] = rows, is_scale_fixed
-        rows, is_scale_fixed = self._bases[i]
-        return self.edge(places[0])._vertices[i]._moved_rows(rows[places], steps, is_scale_fixed[places])
-
-
-class CustomGroup(ChartGroup):
-    """Edges whose errors are written in Python by the user."""
-
-    def error(self, *columns):
-        values, places = self._vertices(columns)
-        return self.errors_at(values, places)
-
-    def jacobians(self, *columns):
-        values, places = self._vertices(columns)
-        if not hasattr(self.type, "linearize_oplus"):
-            return super().jacobians(*columns)
-        blocks = [np.empty((len(places), self.edge(places[0]).dimension(), sum(kind.dim for kind in kinds)))
-                  for kinds in self.kinds]
-
-        def linearize(k, edge):
-            for block, jacobian, vertex in zip(blocks, edge._linearize(), edge._vertices):
-                tangent = None if vertex._is_chart() else vertex._tangent()
-                block[k] = jacobian if tangent is None else jacobian @ np.linalg.inv(tangent)
-
-        self._for_each(values, places, linearize)
-        return [part for i, block in enumerate(blocks) for part in self._parts(block, i)]
 
     def errors_at(self, values, places):
         errors = np.empty((len(places), self.edge(places[0]).dimension()))

@@ -5,10 +5,10 @@ matrix."""
 import numpy as np
 
 from . import _rows
-from ._codecs import POINT3
+from ._codecs import POINT3, Codec
 from ._elements import Edge
 from ._geometry import vector
-from ._sba import pinhole_stereo
+from ._sba import ImageInPose, pinhole
 from ._slam3d import VertexPointXYZ, VertexSE3
 
 
@@ -54,27 +54,22 @@ class EdgeGICP:
         return self.R1.T @ np.diag([1, 1, e]) @ self.R1
 
 
-class _Pair:
-    """The measurement is an EdgeGICP, of which the row has the two points."""
+def _decoded(row):
+    pair = EdgeGICP()
+    pair.pos0, pair.pos1 = row[:3].copy(), row[3:].copy()
+    return pair
 
-    name, size, origin = "EdgeGICP", 6, np.zeros(6)
 
-    @staticmethod
-    def encode(value):
-        return np.append(vector(value.pos0, 3, "pos0"), vector(value.pos1, 3, "pos1"))
-
-    @staticmethod
-    def decode(row):
-        pair = EdgeGICP()
-        pair.pos0, pair.pos1 = row[:3].copy(), row[3:].copy()
-        return pair
+#: The measurement is an EdgeGICP, of which the row has the two points.
+_PAIR = Codec("EdgeGICP", np.zeros(6),
+              lambda value: np.append(vector(value.pos0, 3, "pos0"), vector(value.pos1, 3, "pos1")), _decoded)
 
 
 class EdgeVVGicp(Edge):
     """Two matching points of two scans: the error is x₀⁻¹ x₁ p₁ − p₀. With pl_pl (plane to plane), the information is
     (cov0 + R cov1 Rᵀ)⁻¹, with the rotation R of x₀⁻¹ x₁ at the beginning of each iteration."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_V_V_GICP", (VertexSE3, VertexSE3), _Pair, 3
+    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_V_V_GICP", (VertexSE3, VertexSE3), _PAIR, 3
 
     def __init__(self):
         super().__init__()
@@ -124,17 +119,13 @@ class VertexSCam(VertexSE3):
 
     def map_point(self, point):
         """u, v, and u in the right camera, of a point of the world."""
-        return pinhole_stereo(_rows.into(self._row[None], vector(point, 3, "point")[None]), self._camera[None])[0]
+        return pinhole(_rows.into(self._row[None], vector(point, 3, "point")[None]), self._camera[None])[0]
 
 
-class EdgeXYZVsc(Edge):
+class EdgeXYZVsc(ImageInPose):
     """(u, v, u_right) of a point in a VertexSCam: vertices point, camera."""
 
     _VERTICES, _CODEC, _DIM = (VertexPointXYZ, VertexSCam), POINT3, 3
 
-    def _data(self):
-        return np.append(self._z, VertexSCam._camera)
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return pinhole_stereo(_rows.into(x, p), data[:, 3:]) - data[:, :3]
+    def _intrinsics(self):
+        return VertexSCam._camera

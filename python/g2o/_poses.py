@@ -3,6 +3,8 @@
 
 import numpy as np
 
+import boxplus
+
 from . import _rows
 from ._geometry import Isometry2d, Isometry3d, Quaternion, Rotation2d, rotation, unit_quaternion, vector
 
@@ -124,11 +126,15 @@ class SE3Quat(Isometry3d):
 
     @staticmethod
     def exp(tangent):
-        return SE3Quat.from_row(_rows.exponential(vector(tangent, 6, "tangent")[None])[0])
+        return SE3Quat.from_row(boxplus.SE3.exp(np.roll(vector(tangent, 6, "tangent"), 3)).vector())
 
     def adj(self):
         """The adjoint matrix (6, 6), for tangents (omega, upsilon)."""
-        return adjoint(self._row)
+        R = self.R
+        result = np.zeros((6, 6))
+        result[:3, :3] = result[3:, 3:] = R
+        result[3:, :3] = np.cross(np.eye(3), self._row[:3]).T @ R * -1
+        return result
 
     def map(self, point):
         return self * point
@@ -145,14 +151,6 @@ class SE3Quat(Isometry3d):
         return float(self._row[i])
 
 
-def adjoint(row):
-    R, t = _rows.matrix_of(row[None, 3:7])[0], row[:3]
-    result = np.zeros((6, 6))
-    result[:3, :3] = result[3:, 3:] = R
-    result[3:, :3] = np.cross(np.eye(3), t).T @ R * -1
-    return result
-
-
 class Sim3:
     """A similarity p → s R p + t: Sim3(Quaternion or R, t, s), or a tangent vector (omega, upsilon, sigma)."""
 
@@ -164,8 +162,8 @@ class Sim3:
             q = Quaternion(R if isinstance(R, Quaternion) else rotation(R)).coeffs()
             self._row = np.concatenate([vector(t, 3, "translation"), unit_quaternion(q), [float(s)]])
         elif len(values) == 1:
-            self._row = values[0]._row.copy() if isinstance(values[0], Sim3) else _rows.similarity_exponential(
-                vector(values[0], 7, "Sim3")[None])[0]
+            self._row = values[0]._row.copy() if isinstance(values[0], Sim3) else boxplus.Sim3.exp(
+                vector(values[0], 7, "Sim3")).vector()
         elif values:
             raise TypeError("Sim3: expected a rotation, a translation and a scale")
         else:
@@ -177,6 +175,9 @@ class Sim3:
         result._row = np.array(row, dtype=float)
         return result
 
+    def _native(self):
+        return boxplus.Sim3.from_vector(self._row)
+
     def translation(self):
         return self._row[:3].copy()
 
@@ -187,17 +188,17 @@ class Sim3:
         return float(self._row[7])
 
     def log(self):
-        return _rows.similarity_logarithm(self._row[None])[0]
+        return self._native().log()
 
     def map(self, point):
-        return _rows.similarity_map(self._row[None], vector(point, 3, "point")[None])[0]
+        return self._native() * vector(point, 3, "point")
 
     def inverse(self):
-        return Sim3.from_row(_rows.similarity_inverse(self._row[None])[0])
+        return Sim3.from_row(self._native().inverse().vector())
 
     def __mul__(self, other):
         if isinstance(other, Sim3):
-            return Sim3.from_row(_rows.similarity_compose(self._row[None], other._row[None])[0])
+            return Sim3.from_row((self._native() * other._native()).vector())
         return self.map(other)
 
     def __repr__(self):

@@ -8,7 +8,7 @@ from . import _kinds, _rows
 from ._codecs import NUMBER, POINT2, POINT3, QUAT
 from ._elements import Edge, Parameter, Vertex
 from ._geometry import vector
-from ._poses import SE3Quat, adjoint
+from ._poses import SE3Quat
 from ._slam3d import VertexPointXYZ
 
 
@@ -35,72 +35,59 @@ class CameraParameters(Parameter):
                                lambda self, value: self._set(slice(1, 3), vector(value, 2, "principal point")))
     principle_point = principal_point  # the spelling of C++
 
+    def _intrinsics(self):
+        focal, cx, cy, baseline = self._values
+        return np.array([focal, focal, cx, cy, focal * baseline])
+
     def cam_map(self, point):
         """(u, v) of a point in the frame of the camera."""
-        return _image(vector(point, 3, "point")[None], self._values[None])[0]
+        return pinhole(vector(point, 3, "point")[None], self._intrinsics()[None, :4])[0]
 
     def stereocam_uvu_map(self, point):
         """(u, v, u_right)."""
-        return _stereo_image(vector(point, 3, "point")[None], self._values[None])[0]
-
-
-def _image(p, camera):
-    return camera[:, :1] * p[:, :2] / p[:, 2:] + camera[:, 1:3]
-
-
-def _stereo_image(p, camera):
-    image = _image(p, camera)
-    return np.concatenate([image, image[:, :1] - camera[:, :1] * camera[:, 3:4] / p[:, 2:]], axis=1)
+        return pinhole(vector(point, 3, "point")[None], self._intrinsics()[None])[0]
 
 
 def pinhole(p, intrinsics):
-    """(u, v) with fx, fy, cx, cy."""
-    return intrinsics[:, :2] * p[:, :2] / p[:, 2:] + intrinsics[:, 2:4]
+    """(u, v) with fx, fy, cx, cy; (u, v, u - bf / depth) with fx, fy, cx, cy, bf."""
+    image = intrinsics[:, :2] * p[:, :2] / p[:, 2:] + intrinsics[:, 2:4]
+    if intrinsics.shape[1] == 4:
+        return image
+    return np.concatenate([image, image[:, :1] - intrinsics[:, 4:] / p[:, 2:]], axis=1)
 
 
-def pinhole_stereo(p, intrinsics):
-    """(u, v, u - bf / depth) with fx, fy, cx, cy, bf."""
-    image = pinhole(p, intrinsics)
-    return np.concatenate([image, image[:, :1] - intrinsics[:, 4:5] / p[:, 2:]], axis=1)
+class ImageOfPoint(Edge):
+    """An edge with the error z − (u, v), or z − (u, v, u_right): vertices point, camera. Its data are z, the intrinsics for
+    pinhole(), and the point Xw if it is no vertex. _intrinsics() may return bf even if the edge does not need it."""
 
-
-def _minus_image_jacobians(seen, focal, bf=None):
-    """The derivatives (n, 2 or 3, 3) of −(u, v), or of −(u, v, u_right), by points in the frame of the camera."""
-    x, y, depth = seen.T
-    J = np.zeros((len(seen), 2 if bf is None else 3, 3))
-    J[:, 0, 0], J[:, 0, 2] = -focal[:, 0] / depth, focal[:, 0] * x / depth**2
-    J[:, 1, 1], J[:, 1, 2] = -focal[:, 1] / depth, focal[:, 1] * y / depth**2
-    if bf is not None:
-        J[:, 2] = J[:, 0]
-        J[:, 2, 2] -= bf / depth**2
-    return J
-
-
-def _by_point_and_pose(J, x, p):
-    """The derivatives of errors of T p, whose derivatives by T p are J, by the point p and by the step of boxplus."""
-    by_point = J @ _rows.matrix_of(x[:, 3:])
-    # T ⊞ (v, w) moves T p by R (v + 2 w × p).
-    by_turn = 2 * np.cross(p[:, None], by_point)
-    return by_point, np.concatenate([by_point, by_turn], axis=2)
-
-
-class _ImageOfPoint:
-    """Edges with the error z − image(T p): vertices point, camera."""
+    def _data(self):
+        return np.concatenate([self._z, self._intrinsics()[:self._DIM + 2], getattr(self, "Xw", ())])
 
     @classmethod
-    def _jacobians(cls, data, p, x):
-        focal, bf = cls._camera(data)
-        return _by_point_and_pose(_minus_image_jacobians(_rows.out_of(x, p), focal, bf), x, p)
-
-
-class _ImageOfKnownPoint:
-    """Edges with the error z − image(T p): vertex camera. The known point comes last in the data."""
+    def _parts(cls, data, rows):
+        """z, the intrinsics, the point and the camera."""
+        first, end = cls._DIM, 2 * cls._DIM + 2
+        return data[:, :first], data[:, first:end], *((data[:, end:],) if len(rows) == 1 else ()), *rows
 
     @classmethod
-    def _jacobians(cls, data, x):
-        focal, bf = cls._camera(data)
-        p = data[:, -3:]
-        return _by_point_and_pose(_minus_image_jacobians(_rows.out_of(x, p), focal, bf), x, p)[1:]
+    def _residuals(cls, data, *rows):
+        z, intrinsics, p, x = cls._parts(data, rows)
+        return z - pinhole(_rows.out_of(x, p), intrinsics)
+
+    @classmethod
+    def _jacobians(cls, data, *rows):
+        z, intrinsics, p, x = cls._parts(data, rows)
+        seen = _rows.out_of(x, p)
+        J = np.zeros((*z.shape, 3))  # by points in the frame of the camera
+        J[:, [0, 1], [0, 1]] = -intrinsics[:, :2] / seen[:, 2:]
+        J[:, :2, 2] = intrinsics[:, :2] * seen[:, :2] / seen[:, 2:]**2
+        if cls._DIM == 3:
+            J[:, 2] = J[:, 0]
+            J[:, 2, 2] -= intrinsics[:, 4] / seen[:, 2]**2
+        by_point = J @ _rows.matrix_of(x[:, 3:])
+        # T ⊞ (v, w) moves T p by R (v + 2 w × p).
+        by_pose = np.concatenate([by_point, 2 * np.cross(p[:, None], by_point)], axis=2)
+        return (by_point, by_pose)[-len(rows):]
 
 
 class VertexSBAPointXYZ(VertexPointXYZ):
@@ -111,11 +98,11 @@ class VertexSE3Expmap(Vertex):
     _TAG, _KIND, _CODEC = "VERTEX_SE3:EXPMAP", _kinds.SE3, QUAT
 
     def _oplus(self, step):
-        self._row = _rows.compose(_rows.exponential(step[None]), self._row[None])[0]
+        self._row = (SE3Quat.exp(step) * self.estimate())._row
 
     def _tangent(self):
         """boxplus steps by (translation, half the rotation) in the frame of the pose."""
-        step = adjoint(_rows.inverse(self._row[None])[0])
+        step = self.estimate().inverse().adj()
         return np.vstack([step[3:], step[:3] / 2])
 
 
@@ -185,52 +172,43 @@ class EdgeSE3Expmap(Edge):
         return True
 
 
-class EdgeProjectXYZ2UV(_ImageOfPoint, Edge):
+class _WithParameter(ImageOfPoint):
+    """Edges whose parameter is a CameraParameters."""
+
+    _VERTICES, _PARAMETERS = (VertexPointXYZ, VertexSE3Expmap), (CameraParameters,)
+
+    def _intrinsics(self):
+        return self._parameter(0)._intrinsics()
+
+
+class EdgeProjectXYZ2UV(_WithParameter):
     """The image of a point: vertices point, camera; the parameter is a CameraParameters."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_PROJECT_XYZ2UV:EXPMAP", (VertexPointXYZ, VertexSE3Expmap), POINT2, 2
-    _PARAMETERS = (CameraParameters,)
-
-    @staticmethod
-    def _camera(data):
-        return data[:, [2, 2]], None
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return data[:, :2] - _image(_rows.out_of(x, p), data[:, 2:])
+    _TAG, _CODEC, _DIM = "EDGE_PROJECT_XYZ2UV:EXPMAP", POINT2, 2
 
 
-class EdgeProjectXYZ2UVU(_ImageOfPoint, Edge):
+class EdgeProjectXYZ2UVU(_WithParameter):
     """(u, v, u_right) of a point in a stereo camera."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_PROJECT_XYZ2UVU:EXPMAP", (VertexPointXYZ, VertexSE3Expmap), POINT3, 3
-    _PARAMETERS = (CameraParameters,)
-
-    @staticmethod
-    def _camera(data):
-        return data[:, [3, 3]], data[:, 3] * data[:, 6]
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return data[:, :3] - _stereo_image(_rows.out_of(x, p), data[:, 3:])
+    _TAG, _CODEC, _DIM = "EDGE_PROJECT_XYZ2UVU:EXPMAP", POINT3, 3
 
 
-class EdgeProjectPSI2UV(Edge):
+class EdgeProjectPSI2UV(_WithParameter):
     """The image of a point (x / z, y / z, 1 / z) in the frame of an anchor: vertices point, camera, anchor."""
 
     _TAG, _CODEC, _DIM = "EDGE_PROJECT_PSI2UV:EXPMAP", POINT2, 2
-    _VERTICES = (VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap)
-    _PARAMETERS = (CameraParameters,)
+    _VERTICES, _jacobians = (VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap), None
 
     @staticmethod
     def _residuals(data, psi, x, anchor):
         p = np.concatenate([psi[:, :2], 1 + 0 * psi[:, :1]], axis=1) / psi[:, 2:]
-        return data[:, :2] - _image(_rows.out_of(x, _rows.into(anchor, p)), data[:, 2:])
+        return data[:, :2] - pinhole(_rows.out_of(x, _rows.into(anchor, p)), data[:, 2:])
 
 
-class _WithIntrinsics(Edge):
+class _WithIntrinsics(ImageOfPoint):
     """Edges with intrinsics of their own, which are attributes."""
 
+    _VERTICES = (VertexPointXYZ, VertexSE3Expmap)
     _FIELDS = {"fx": 1.0, "fy": 1.0, "cx": 0.0, "cy": 0.0}
 
     def __init__(self):
@@ -242,8 +220,8 @@ class _WithIntrinsics(Edge):
         if name in self._FIELDS or name == "Xw":
             self._changed()
 
-    def _data(self):
-        return np.concatenate([self._z, [getattr(self, name) for name in self._FIELDS], getattr(self, "Xw", ())])
+    def _intrinsics(self):
+        return np.array([getattr(self, name) for name in self._FIELDS], dtype=float)
 
     def is_depth_positive(self):
         """True if the point is in front of the camera."""
@@ -253,99 +231,63 @@ class _WithIntrinsics(Edge):
 
     def cam_project(self, point):
         """The image of a point in the frame of the camera."""
-        project = pinhole_stereo if "bf" in self._FIELDS else pinhole
-        intrinsics = np.array([[getattr(self, name) for name in self._FIELDS]])
-        return project(vector(point, 3, "point")[None], intrinsics)[0]
+        return pinhole(vector(point, 3, "point")[None], self._intrinsics()[None])[0]
 
 
 _STEREO = {**_WithIntrinsics._FIELDS, "bf": 1.0}
 
 
-class EdgeSE3ProjectXYZ(_ImageOfPoint, _WithIntrinsics):
+class EdgeSE3ProjectXYZ(_WithIntrinsics):
     """The image of a point in a camera with fx, fy, cx, cy: vertices point, camera."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_SE3_PROJECT_XYZ:EXPMAP", (VertexPointXYZ, VertexSE3Expmap), POINT2, 2
-
-    @staticmethod
-    def _camera(data):
-        return data[:, 2:4], None
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return data[:, :2] - pinhole(_rows.out_of(x, p), data[:, 2:])
+    _TAG, _CODEC, _DIM = "EDGE_SE3_PROJECT_XYZ:EXPMAP", POINT2, 2
 
 
-class EdgeStereoSE3ProjectXYZ(_ImageOfPoint, _WithIntrinsics):
+class EdgeStereoSE3ProjectXYZ(_WithIntrinsics):
     """(u, v, u_right) of a point in a stereo camera with fx, fy, cx, cy and bf (baseline times fx)."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP", (VertexPointXYZ, VertexSE3Expmap), POINT3, 3
-    _FIELDS = _STEREO
-
-    @staticmethod
-    def _camera(data):
-        return data[:, 3:5], data[:, 7]
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return data[:, :3] - pinhole_stereo(_rows.out_of(x, p), data[:, 3:])
+    _TAG, _CODEC, _DIM, _FIELDS = "EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP", POINT3, 3, _STEREO
 
 
-class EdgeSE3ProjectXYZOnlyPose(_ImageOfKnownPoint, _WithIntrinsics):
+class EdgeSE3ProjectXYZOnlyPose(_WithIntrinsics):
     """The image of the known point Xw."""
 
     _TAG, _VERTICES, _CODEC, _DIM = "EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP", (VertexSE3Expmap,), POINT2, 2
     Xw = (0.0, 0.0, 1.0)
 
-    @staticmethod
-    def _camera(data):
-        return data[:, 2:4], None
 
-    @staticmethod
-    def _residuals(data, x):
-        return data[:, :2] - pinhole(_rows.out_of(x, data[:, 6:9]), data[:, 2:])
-
-
-class EdgeStereoSE3ProjectXYZOnlyPose(_ImageOfKnownPoint, _WithIntrinsics):
+class EdgeStereoSE3ProjectXYZOnlyPose(_WithIntrinsics):
     """(u, v, u_right) of the known point Xw."""
 
     _TAG, _VERTICES, _CODEC, _DIM = "EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP", (VertexSE3Expmap,), POINT3, 3
     _FIELDS = _STEREO
     Xw = (0.0, 0.0, 1.0)
 
-    @staticmethod
-    def _camera(data):
-        return data[:, 3:5], data[:, 7]
 
-    @staticmethod
-    def _residuals(data, x):
-        return data[:, :3] - pinhole_stereo(_rows.out_of(x, data[:, 8:11]), data[:, 3:])
+class ImageInPose(ImageOfPoint):
+    """An edge with the error (u, v) − z, or (u, v, u_right) − z, whose vertex is the pose of the camera in the world."""
+
+    _VERTICES, _jacobians = (VertexPointXYZ, VertexCam), None
+
+    def _intrinsics(self):
+        fx, fy, cx, cy, baseline = self._vertices[1]._intrinsics
+        return np.array([fx, fy, cx, cy, fx * baseline])
+
+    @classmethod
+    def _residuals(cls, data, p, x):
+        return pinhole(_rows.into(x, p), data[:, cls._DIM:]) - data[:, :cls._DIM]
 
 
-class EdgeProjectP2MC(Edge):
+class EdgeProjectP2MC(ImageInPose):
     """The image of a point in a VertexCam: vertices point, camera."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_PROJECT_P2MC", (VertexPointXYZ, VertexCam), POINT2, 2
-
-    def _data(self):
-        return np.concatenate([self._z, self._vertices[1]._intrinsics])
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return pinhole(_rows.into(x, p), data[:, 2:]) - data[:, :2]
+    _TAG, _CODEC, _DIM = "EDGE_PROJECT_P2MC", POINT2, 2
 
 
-class EdgeProjectP2SC(Edge):
+class EdgeProjectP2SC(ImageInPose):
     """(u, v, u_right) of a point in a VertexCam."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_PROJECT_P2SC", (VertexPointXYZ, VertexCam), POINT3, 3
-
-    def _data(self):
-        fx, *_, baseline = self._vertices[1]._intrinsics
-        return np.concatenate([self._z, self._vertices[1]._intrinsics[:4], [fx * baseline]])
-
-    @staticmethod
-    def _residuals(data, p, x):
-        return pinhole_stereo(_rows.into(x, p), data[:, 3:]) - data[:, :3]
+    _TAG, _CODEC, _DIM = "EDGE_PROJECT_P2SC", POINT3, 3
 
 
 class EdgeSBACam(Edge):

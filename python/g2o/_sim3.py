@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Similarities. A VertexSim3Expmap is the similarity from the world frame to the frame of a camera; its step is
-(omega, upsilon, sigma), with S ⊞ step = exp(step) S."""
+(omega, upsilon, sigma), with S ⊞ step = exp(step) S. Its row is S⁻¹, as is the row of a measurement."""
 
 import numpy as np
 
-from . import _rows
+import boxplus
+
+from . import _kinds, _rows
 from ._codecs import POINT2, SIMILARITY
 from ._elements import Edge, Vertex
 from ._geometry import vector
+from ._sba import pinhole
 from ._slam3d import VertexPointXYZ
 
 
 class VertexSim3Expmap(Vertex):
-    _TAG, _CODEC = "VERTEX_SIM3:EXPMAP", SIMILARITY
+    _TAG, _KIND, _CODEC = "VERTEX_SIM3:EXPMAP", _kinds.SIM3, SIMILARITY
 
     def __init__(self):
         super().__init__()
         self._fix_scale = False
         self._cameras = np.array([1.0, 1, 0, 0, 1, 1, 0, 0])
-
-    def dimension(self):
-        return 7
 
     def fix_scale(self):
         return self._fix_scale
@@ -28,7 +28,7 @@ class VertexSim3Expmap(Vertex):
     def set_fix_scale(self, fix_scale):
         """If true, steps keep the scale."""
         self._fix_scale = bool(fix_scale)
-        self._changed()
+        self._changed(flags=True)
 
     def _camera(where):
         def change(self, value):
@@ -50,23 +50,26 @@ class VertexSim3Expmap(Vertex):
         return vector(v, 2, "v") * self._cameras[4:6] + self._cameras[6:]
 
     def _oplus(self, step):
-        self._row = self._moved_rows(self._row[None], step[None], np.array([self._fix_scale]))[0]
+        step[self._fixed_directions()] = 0
+        super()._oplus(-step)
 
-    @staticmethod
-    def _moved_rows(rows, steps, fix_scale):
-        steps = np.where(fix_scale[:, None] & (np.arange(7) == 6), 0, steps)
-        return _rows.similarity_compose(_rows.similarity_exponential(steps), rows)
+    def _tangent(self):
+        return -np.eye(7)
+
+    def _fixed_directions(self):
+        return [6] if self._fix_scale else []
 
 
 class EdgeSim3(Edge):
     """The similarity from camera i to camera j: S_j = z S_i."""
 
-    _TAG, _VERTICES, _CODEC, _DIM = "EDGE_SIM3:EXPMAP", (VertexSim3Expmap, VertexSim3Expmap), SIMILARITY, 7
+    _TAG, _VERTICES, _CODEC, _NATIVE, _DIM = ("EDGE_SIM3:EXPMAP", (VertexSim3Expmap, VertexSim3Expmap), SIMILARITY,
+                                              boxplus.Between, 7)
 
     @staticmethod
-    def _residuals(z, a, b):
-        return _rows.similarity_logarithm(_rows.similarity_compose(_rows.similarity_compose(z, a),
-                                                                   _rows.similarity_inverse(b)))
+    def _residuals(*rows):
+        similarities = [map(boxplus.Sim3.from_vector, each) for each in rows]
+        return np.array([(z.inverse() * (a.inverse() * b)).log() for z, a, b in zip(*similarities)])
 
     def set_measurement_from_state(self):
         self.set_measurement(self.vertex(1).estimate() * self.vertex(0).estimate().inverse())
@@ -82,9 +85,8 @@ class EdgeSim3ProjectXYZ(Edge):
         return np.concatenate([self._z, self._vertices[1]._cameras[:4]])
 
     @staticmethod
-    def _residuals(data, p, s):
-        seen = _rows.similarity_map(s, p)
-        return data[:, :2] - (data[:, 2:4] * seen[:, :2] / seen[:, 2:] + data[:, 4:])
+    def _residuals(data, p, x):
+        return data[:, :2] - pinhole(_rows.into(x[:, :7], p) / x[:, 7:], data[:, 2:])
 
 
 class EdgeInverseSim3ProjectXYZ(Edge):
@@ -96,6 +98,5 @@ class EdgeInverseSim3ProjectXYZ(Edge):
         return np.concatenate([self._z, self._vertices[1]._cameras[4:]])
 
     @staticmethod
-    def _residuals(data, p, s):
-        seen = _rows.similarity_map(_rows.similarity_inverse(s), p)
-        return data[:, :2] - (data[:, 2:4] * seen[:, :2] / seen[:, 2:] + data[:, 4:])
+    def _residuals(data, p, x):
+        return data[:, :2] - pinhole(_rows.out_of(x[:, :7], x[:, 7:] * p), data[:, 2:])

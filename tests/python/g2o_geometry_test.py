@@ -6,7 +6,7 @@ import unittest
 import boxplus
 import g2o
 import numpy as np
-from g2o import _kinds, _rows
+from g2o import _rows
 from g2o_worlds import pose2, pose3
 
 
@@ -100,26 +100,32 @@ class Poses(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "scale above 0"):
             g2o.Sim3(np.eye(3), [0, 0, 0], 0)
 
-    def test_a_step_of_a_vertex_is_that_of_boxplus(self):
+    def test_a_step_of_a_similarity_is_on_the_side_of_the_camera(self):
         random = np.random.default_rng(5)
-        for kind, rows in ((_kinds.SE2, [x._row for x in (pose2(random), pose2(random))]),
-                           (_kinds.SE3, [x._row for x in (pose3(random), pose3(random))])):
-            steps = 0.1 * random.normal(size=(2, kind.dim))
-            moved = _kinds.moved(kind, np.array(rows), steps)
-            for row, step, result in zip(rows, steps, moved):
-                np.testing.assert_allclose(result, kind.type.from_vector(row).oplus(step).vector(), atol=1e-12)
+        estimate, step = g2o.Sim3(pose3(random).R, [1, 2, 3], 1.5), 0.1 * random.normal(size=7)
+        vertex = g2o.VertexSim3Expmap()
+        vertex.set_estimate(estimate)
+        np.testing.assert_allclose(vertex.get_estimate_data(), estimate._row, atol=1e-14)
+        vertex.oplus(step)
+        np.testing.assert_allclose(vertex.estimate() * [4, 5, 6], (g2o.Sim3(step) * estimate) * [4, 5, 6], atol=1e-12)
+        vertex.set_fix_scale(True)
+        vertex.set_estimate(estimate)
+        vertex.oplus(step)
+        step[6] = 0
+        np.testing.assert_allclose(vertex.estimate() * [4, 5, 6], (g2o.Sim3(step) * estimate) * [4, 5, 6], atol=1e-12)
 
     def test_the_changes_of_tangents_are_derivatives(self):
         random = np.random.default_rng(6)
-        for make, estimate in ((g2o.VertexSE3Expmap, g2o.SE3Quat(pose3(random))), (g2o.VertexCam, g2o.SBACam(pose3(random)))):
+        for make, estimate in ((g2o.VertexSE3Expmap, g2o.SE3Quat(pose3(random))), (g2o.VertexCam, g2o.SBACam(pose3(random))),
+                               (g2o.VertexSim3Expmap, g2o.Sim3(pose3(random).R, [1, 2, 3], 1.5))):
             vertex = make()
             vertex.set_estimate(estimate)
             row = vertex._row
-            start = boxplus.SE3.from_vector(row)
-            for k in range(6):
+            start = vertex._KIND.type.from_vector(row)
+            for k in range(vertex.dimension()):
                 vertex._row = row
-                vertex.oplus(1e-7 * np.eye(6)[k])
-                moved = boxplus.SE3.from_vector(vertex._row).ominus(start) / 1e-7
+                vertex.oplus(1e-7 * np.eye(vertex.dimension())[k])
+                moved = vertex._KIND.type.from_vector(vertex._row).ominus(start) / 1e-7
                 vertex._row = row
                 np.testing.assert_allclose(vertex._tangent()[:, k], moved, atol=1e-5)
 

@@ -6,7 +6,7 @@ import unittest
 import boxplus
 import g2o
 import numpy as np
-from g2o_worlds import optimizer_for, pose2, square
+from g2o_worlds import WORLDS, optimizer_for, pose2, square
 
 
 class Graphs(unittest.TestCase):
@@ -43,6 +43,16 @@ class Graphs(unittest.TestCase):
         for edge in optimizer.edges():
             optimizer.remove_edge(edge)
         self.assertEqual((len(optimizer.edges()), len(optimizer.vertex(0).edges())), (0, 0))
+
+    def test_estimates_and_measurements_can_be_set_from_their_numbers(self):
+        for world in WORLDS:
+            optimizer = optimizer_for(world)
+            before = [edge.chi2() for edge in optimizer.edges()]
+            for vertex in optimizer.vertices().values():
+                self.assertTrue(vertex.set_estimate_data(vertex.get_estimate_data()))
+            for edge in optimizer.edges():
+                self.assertTrue(edge.set_measurement_data(edge.get_measurement_data()))
+            np.testing.assert_allclose([edge.chi2() for edge in optimizer.edges()], before, rtol=1e-9)
 
     def test_ids_can_be_changed(self):
         optimizer = square()

@@ -7,7 +7,6 @@ import pathlib
 import tempfile
 import threading
 import unittest
-import warnings
 
 import boxplus
 import g2o
@@ -71,6 +70,17 @@ class Optimize(unittest.TestCase):
                         ends.append(edge.error())
                         vertex.pop()
                     np.testing.assert_allclose((block @ tangent)[:, k], (ends[0] - ends[1]) / 2e-6, atol=1e-7)
+
+    def test_a_fixed_scale_stays_as_it_is(self):
+        optimizer = optimizer_for("similarities")
+        free = optimizer.vertex(301)
+        for is_fixed in (True, False):
+            free.set_fix_scale(is_fixed)
+            optimizer.initialize_optimization()
+            before = optimizer.active_chi2(), free.estimate().scale()
+            optimizer.optimize(20)
+            self.assertLess(optimizer.active_chi2(), before[0])
+            self.assertEqual(free.estimate().scale() == before[1], is_fixed)
 
     def test_algorithms_and_linear_solvers_end_at_the_same_minimum(self):
         ends = []
