@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "diagnose/camera_views.h"
 #include "diagnose/evidence.h"
 #include "diagnose/finding_table.h"
 #include "diagnose/sentences.h"
@@ -38,7 +39,8 @@ Diagnosis diagnose(const Graph& graph, const Options& options) {
   Diagnosis diagnosis;
   std::vector<Finding>& findings = diagnosis.findings;
   try {
-    const Evidence evidence(graph, options, stop);
+    Evidence evidence(graph, options, stop);
+    evidence.cameras = find_camera_views(evidence);
     diagnosis.at_minimum = evidence.at_minimum();
     for (const FindingEntry& entry : finding_table()) {
       stop.check();

@@ -51,7 +51,7 @@ Finding misread_poses(const CameraViews& views) {
 /// Cameras look along z or along −z, depending on the model. What most edges say decides.
 void find_points_behind_cameras(const Evidence& evidence, Findings& out) {
   constexpr double kMost = 0.9;  // with a smaller share, the camera may see points on all sides
-  for (const CameraViews& views : find_camera_views(evidence)) {
+  for (const CameraViews& views : evidence.cameras) {
     const double share = static_cast<double>(views.edges_in_front) / static_cast<double>(views.edges);
     if (one_sided_share(views) < kMost) {
       if (2 * views.edges_far_off > views.edges) out.push_back(misread_poses(views));
@@ -79,7 +79,7 @@ void find_points_behind_cameras(const Evidence& evidence, Findings& out) {
 
 void find_far_points(const Evidence& evidence, Findings& out) {
   constexpr double kFar = 1000;  // times the median distance
-  for (const CameraViews& views : find_camera_views(evidence)) {
+  for (const CameraViews& views : evidence.cameras) {
     Finding finding;
     double farthest = 0;
     for (std::uint32_t slot = 0; slot < views.seen.size(); ++slot) {

@@ -22,12 +22,11 @@ void for_each_edge(const Evidence& evidence, F&& f) {
   }
 }
 
-bool has_moving_vertex(const Evidence& evidence, std::uint32_t p, std::uint32_t edge) {
+bool has_moving_vertex(const Evidence& evidence, const GraphView& view, std::uint32_t p, std::uint32_t edge) {
   bool moves = false;
-  GraphView(evidence.graph)
-      .for_each_vertex(p, edge, [&](std::uint32_t pool, std::uint32_t slot, std::size_t) {
-        moves = moves || evidence.find(pool, slot) != nullptr;
-      });
+  view.for_each_vertex(p, edge, [&](std::uint32_t pool, std::uint32_t slot, std::size_t) {
+    moves = moves || evidence.find(pool, slot) != nullptr;
+  });
   return moves;
 }
 
@@ -123,9 +122,10 @@ void find_isolated_vertices(const Evidence& evidence, Findings& out) {
 
 void find_fixed_edges(const Evidence& evidence, Findings& out) {
   if (evidence.vertices.empty()) return;  // find_nothing_moves() says it
+  const GraphView view(evidence.graph);
   std::vector<EdgeRef> edges;
   for_each_edge(evidence, [&](const PoolEvidence& pool, std::size_t k) {
-    if (!has_moving_vertex(evidence, pool.pool, pool.edges[k]))
+    if (!has_moving_vertex(evidence, view, pool.pool, pool.edges[k]))
       edges.push_back(evidence.edge_ref(pool.pool, pool.edges[k]));
   });
   if (edges.empty()) return;

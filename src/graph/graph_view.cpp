@@ -14,13 +14,20 @@ std::uint32_t GraphView::pool_of(std::uint32_t number) const {
                                     1);
 }
 
-std::uint32_t GraphView::join_ends(std::uint32_t edge_pool, std::uint32_t edge, DisjointSets& sets) const {
+std::uint32_t GraphView::first_end(EdgeRef edge) const {
+  std::uint32_t first = kNone;
+  for_each_end(edge, [&](std::uint32_t number) {
+    if (first == kNone) first = number;
+  });
+  return first;
+}
+
+void GraphView::join_ends(std::uint32_t edge_pool, std::uint32_t edge, DisjointSets& sets) const {
   std::uint32_t first = kNone;
   for_each_end(edge_pool, edge, [&](std::uint32_t number) {
     if (first == kNone) first = number;
     sets.join(first, number);
   });
-  return first;
 }
 
 DisjointSets GraphView::components() const {
@@ -56,24 +63,36 @@ std::string_view name_of(EdgeRole role, std::size_t count) {
   }
 }
 
-EdgeRoles::EdgeRoles(const Graph& graph) : view_(graph), rank_(view_.numbers(), GraphView::kNone) {
-  const std::vector<std::uint8_t> is_sensor = find_sensors();
-  for (const VertexRef& vertex : graph.all_vertices()) {
-    const std::uint32_t number = view_.number(vertex);
-    if (is_sensor[number] || role_of(graph, vertex) != VertexRole::kPose) continue;
-    rank_[number] = static_cast<std::uint32_t>(trajectory_.size());
-    trajectory_.push_back(vertex);
+EdgeRoles::EdgeRoles(const Graph& graph, const StopToken& stop)
+    : view_(graph), rank_(view_.numbers(), GraphView::kNone) {
+  PacedStop pace(stop);
+  const std::vector<std::uint8_t> is_sensor = find_sensors(pace);
+  for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
+    const detail::VertexPool& pool = *graph.vertex_pools()[p];
+    for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
+      pace.step();
+      const VertexRef vertex{p, slot, pool.generation(slot)};
+      if (pool.alive(slot) && !is_sensor[view_.number(vertex)] && role_of(graph, vertex) == VertexRole::kPose)
+        trajectory_.push_back(vertex);
+    }
   }
+  std::ranges::sort(trajectory_, [&](const VertexRef& a, const VertexRef& b) {
+    pace.step();
+    return graph.id(a) < graph.id(b);
+  });
+  for (std::uint32_t rank = 0; rank < trajectory_.size(); ++rank)
+    rank_[view_.number(trajectory_[rank])] = rank;
 }
 
 /// Whether each vertex is the last of three or more vertices of edges, and nothing else, by number.
-std::vector<std::uint8_t> EdgeRoles::find_sensors() const {
+std::vector<std::uint8_t> EdgeRoles::find_sensors(PacedStop& pace) const {
   enum Place : std::uint8_t { kLast = 1, kOther = 2 };
   std::vector<std::uint8_t> places(view_.numbers(), 0);
   std::vector<std::uint32_t> ends;
   const auto pools = view_.graph().edge_pools();
   for (std::uint32_t p = 0; p < pools.size(); ++p) {
     for (std::uint32_t edge = 0; edge < pools[p]->slots(); ++edge) {
+      pace.step();
       if (!pools[p]->alive(edge)) continue;
       ends.clear();
       view_.for_each_end(p, edge, [&](std::uint32_t number) { ends.push_back(number); });

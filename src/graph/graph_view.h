@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "base/paced_stop.h"
 #include "boxplus/graph/graph.h"
 
 namespace boxplus {
@@ -50,8 +51,10 @@ class GraphView {
   void for_each_end(EdgeRef edge, F&& f) const {
     for_each_end(edge.pool, edge.slot, f);
   }
-  /// Makes one set of the ends of an edge. Returns the first of them, or kNone if it has none.
-  std::uint32_t join_ends(std::uint32_t edge_pool, std::uint32_t edge, DisjointSets& sets) const;
+  /// The first end of an edge, or kNone if it has none.
+  std::uint32_t first_end(EdgeRef edge) const;
+  /// Makes one set of the ends of an edge.
+  void join_ends(std::uint32_t edge_pool, std::uint32_t edge, DisjointSets& sets) const;
   /// The vertices that edges connect, by number.
   DisjointSets components() const;
 
@@ -65,8 +68,8 @@ enum class VertexRole : std::uint8_t { kPose, kLandmark, kOther };
 VertexRole role_of(const Graph& graph, VertexRef vertex);
 
 enum class EdgeRole : std::uint8_t {
-  kOdometry,     ///< an edge between poses whose ids are next to each other among the ids of all poses
-  kLoopClosure,  ///< an edge between other poses
+  kOdometry,     ///< an edge between poses that are neighbors in the trajectory, which is sorted by id
+  kLoopClosure,  ///< an edge between other poses of the trajectory
   kObservation,  ///< an edge with a landmark, or of one pose with something else, such as a plane
   kPrior,        ///< an edge with only one vertex
   kOther
@@ -78,10 +81,10 @@ std::string_view name_of(EdgeRole role, std::size_t count);
 
 /// The trajectory of a graph, and the roles of its edges. A pose that is always the last of three or more
 /// vertices is that of a sensor on the robot, and does not belong to the trajectory. The constructor takes
-/// O(n log n) time.
+/// O(n log n) time, and throws Stopped when the token is raised.
 class EdgeRoles {
  public:
-  explicit EdgeRoles(const Graph& graph);
+  explicit EdgeRoles(const Graph& graph, const StopToken& stop = {});
 
   const GraphView& view() const { return view_; }
   /// The poses of the trajectory, sorted by id.
@@ -92,7 +95,7 @@ class EdgeRoles {
   EdgeRole operator()(EdgeRef edge) const;
 
  private:
-  std::vector<std::uint8_t> find_sensors() const;
+  std::vector<std::uint8_t> find_sensors(PacedStop& pace) const;
 
   GraphView view_;
   std::vector<VertexRef> trajectory_;

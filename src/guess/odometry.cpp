@@ -16,8 +16,8 @@ using guess::Node;
 
 /// The costs of the measurements. With these costs, the shortest paths follow the chain of poses, and bridge
 /// gaps with as few other measurements as possible.
-std::vector<double> costs_of_gaps(const FrameGraph& frames) {
-  const EdgeRoles roles(frames.graph());
+std::vector<double> costs_of_gaps(const FrameGraph& frames, const StopToken& stop) {
+  const EdgeRoles roles(frames.graph(), stop);
   const auto is_step = [&](Node a, Node b) {
     const std::uint32_t first = roles.rank(a), second = roles.rank(b);
     return std::max(first, second) - std::min(first, second) == 1 && first != GraphView::kNone &&
@@ -39,7 +39,7 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan, const GuessLimits& li
   return guess::guess_or_restore(graph, plan, [&]() -> GuessResult {
     FrameGraph frames(graph, plan, limits.stop);
     if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
-    guess::propagate(frames, costs_of_gaps(frames), limits.stop);
+    guess::propagate(frames, costs_of_gaps(frames, limits.stop), limits.stop);
     return {true, {}};
   });
 }

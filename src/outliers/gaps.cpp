@@ -23,8 +23,8 @@ class Parts {
     for (const EdgeRef& edge : poses.others) {
       std::size_t ends = 0;
       view_.for_each_end(edge, [&](std::uint32_t) { ++ends; });
-      const std::uint32_t first = view_.join_ends(edge.pool, edge.slot, sets_);
-      if (ends == 1) sets_.join(first, world);
+      view_.join_ends(edge.pool, edge.slot, sets_);
+      if (ends == 1) sets_.join(view_.first_end(edge), world);
     }
     for (const VertexRef& vertex : graph.all_vertices()) {
       if (graph.is_fixed(vertex)) sets_.join(view_.number(vertex), world);

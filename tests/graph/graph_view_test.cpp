@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "boxplus/boxplus.h"
 #include "boxplus/types/slam3d/plane.h"
 
@@ -32,6 +34,14 @@ TEST(EdgeRoles, APoseThatIsAlsoMeasuredDirectlyIsAPoseOfTheTrajectory) {
   graph.add_edge(PlaneObservation3(Plane3()), a, plane, b);
   const EdgeRef between = graph.add_edge(Between(SE3()), a, b);
   EXPECT_EQ(EdgeRoles(graph)(between), EdgeRole::kOdometry);
+}
+
+TEST(EdgeRoles, OfALargeGraphEndIfTheTokenIsRaised) {
+  Graph graph;
+  for (int k = 0; k < 3000; ++k) graph.add_vertex(SE2(k, 0, 0));
+  const std::atomic<bool> flag = true;
+  EXPECT_THROW(EdgeRoles(graph, StopToken(&flag)), Stopped);
+  EXPECT_EQ(EdgeRoles(graph).trajectory().size(), 3000U);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What boxplus/system/system.h promises to algorithms, for every storage of columns.
+// The contract of boxplus/system/system.h holds for every storage of columns.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

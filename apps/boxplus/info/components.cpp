@@ -20,7 +20,7 @@ Components find_components(const Graph& graph, const Plan& plan, const EdgeRoles
     if (graph.is_fixed(vertex)) component.fixed.push_back(id);
   }
   for (const EdgeRef& edge : graph.all_edges()) {
-    const std::uint32_t end = view.join_ends(edge.pool, edge.slot, sets);
+    const std::uint32_t end = view.first_end(edge);
     if (end == GraphView::kNone) continue;
     ComponentFacts& component = components[sets.find(end)];
     ++component.edges;

@@ -122,7 +122,7 @@ class CairoCanvas : public Canvas {
     cairo_set_font_options(cairo_.get(), options.get());
   }
 
-  /// Adds a line to Cairo's path. Unless it is the first, it begins where the last line ended.
+  /// Adds a line to Cairo's path. If it is not the first line, it begins where the last one ended.
   void add(Point from, Point to, bool is_first) {
     const auto part = near_part(from, to);
     if (!part) return;
