@@ -26,6 +26,7 @@ void add_simulate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
+void add_replay(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 /// Must be called last, because `help` lists the other sub-commands.
 void add_help(CLI::App& app, Action& action);

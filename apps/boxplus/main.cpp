@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   add_plot(app, action);
   add_view(app, action);
   add_compare(app, action);
+  add_replay(app, action);
   add_completion(app, action);
   add_help(app, action);
   app.footer(kFooter);  // must be last, because sub-commands that are added later would inherit the footer

@@ -39,6 +39,7 @@ EdgeRef Graph::add_edge(std::uint32_t pool, std::span<const VertexRef> vertices,
   const std::uint32_t slot = add(slots);
   note_addition();
   const EdgeRef edge{pool, slot, edges.generation(slot)};
+  note_change(edge);
   if (incidence_) index_edge(edge, vertices);
   return edge;
 }

@@ -159,6 +159,7 @@ void Graph::set_fixed(VertexRef vertex, bool fixed) {
   if (is_fixed(vertex) == fixed) return;
   pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, fixed);
   note_rewrite();
+  note_change(vertex);
 }
 
 bool Graph::is_fixed(VertexRef vertex) const {
@@ -180,6 +181,7 @@ void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
   if (std::ranges::equal(sorted, fixed_directions(vertex))) return;
   pools_.vertices[vertex.pool]->fixed_directions_.set(vertex.slot, std::move(sorted));
   note_rewrite();
+  note_change(vertex);
 }
 
 std::span<const int> Graph::fixed_directions(VertexRef vertex) const {
@@ -214,6 +216,7 @@ void Graph::set_bounds(VertexRef vertex, int entry, double lower, double upper) 
   }
   const bool has_bounds = !bounds.empty();
   pool.bounds_.set(vertex.slot, std::move(bounds));
+  note_change(vertex);
   if (had_bounds != has_bounds) note_rewrite();  // the treatment of the gauge depends on it
 }
 
@@ -253,11 +256,13 @@ void Graph::set_information(EdgeRef edge, const Information& information) {
   check(edge);
   detail::EdgePool& pool = *pools_.edges[edge.pool];
   pool.information_.set(edge.slot, information, pool.shape(edge.slot).rows);
+  note_change(edge);
 }
 
 void Graph::set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel) {
   check(edge);
   pools_.edges[edge.pool]->set_kernel(edge.slot, std::move(kernel));
+  note_change(edge);
 }
 
 const RobustKernel* Graph::kernel(EdgeRef edge) const {
@@ -270,6 +275,7 @@ void Graph::set_enabled(EdgeRef edge, bool enabled) {
   auto& flags = pools_.edges[edge.pool]->flags_[edge.slot];
   flags = static_cast<std::uint8_t>(enabled ? flags | detail::EdgePool::kEnabled
                                             : flags & ~detail::EdgePool::kEnabled);
+  note_change(edge);
 }
 
 bool Graph::is_enabled(EdgeRef edge) const {
@@ -284,6 +290,7 @@ void Graph::set_level(EdgeRef edge, int level) {
   if (pool.levels_.empty()) pool.levels_.resize(pool.slots(), 0);
   pool.levels_[edge.slot] = level;
   note_rewrite();
+  note_change(edge);
 }
 
 int Graph::level(EdgeRef edge) const {
@@ -295,6 +302,7 @@ void Graph::remove(EdgeRef edge) {
   check(edge);
   pools_.edges[edge.pool]->remove(edge.slot);
   note_rewrite();
+  note_change(edge);
 }
 
 double Graph::chi2() const {
@@ -361,6 +369,7 @@ void Graph::pop() {
       resized |= part.slots[k] != detail::VertexPool::kNoSlot && pool.tangent_dim(part.slots[k]) != dims[k];
   }
   if (resized) note_rewrite();
+  note_moved();
 }
 
 void Graph::discard_top() {
@@ -399,9 +408,12 @@ std::vector<EdgeRef> Graph::all_edges() const {
 
 void Graph::clear() {
   const std::uint64_t revision = revision_ + 1;
+  detail::ChangeLog* const log = log_;
   Graph empty;
   take_elements(empty);
   revision_ = last_rewrite_ = revision;
+  log_ = log;
+  note_moved();
 }
 
 }  // namespace boxplus

@@ -46,6 +46,7 @@ void Graph::take_elements(Graph& other) noexcept {
   last_rewrite_ = other.last_rewrite_;
   stack_ = std::move(other.stack_);
   incidence_ = std::move(other.incidence_);
+  log_ = other.log_ = nullptr;  // the observers of both graphs see that their lives are over
 }
 
 }  // namespace boxplus

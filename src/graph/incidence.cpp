@@ -81,11 +81,15 @@ std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
 void Graph::remove(VertexRef vertex) {
   check(vertex);
   const std::vector<EdgeRef> edges = incidence_ ? incidence_->take(*this, vertex) : find_edges(vertex);
-  for (const EdgeRef& edge : edges) pools_.edges[edge.pool]->remove(edge.slot);
+  for (const EdgeRef& edge : edges) {
+    pools_.edges[edge.pool]->remove(edge.slot);
+    note_change(edge);
+  }
   detail::VertexPool& pool = *pools_.vertices[vertex.pool];
   (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
   pool.release_slot(vertex.slot);
   note_rewrite();
+  note_change(vertex);
 }
 
 }  // namespace boxplus

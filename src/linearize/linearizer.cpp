@@ -17,21 +17,6 @@
 namespace boxplus {
 namespace {
 
-/// Lists the tangent sizes of an edge's vertices.
-void vertex_dims(const Graph& graph, const detail::EdgePool& pool, std::uint32_t edge,
-                 std::vector<int>& dims) {
-  dims.clear();
-  const auto slots = pool.vertex_slots(edge);
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    dims.push_back(graph.vertex_pools()[pool.vertex_pool(edge, static_cast<int>(i))]->tangent_dim(slots[i]));
-  }
-}
-
-/// Whether tiles of these edges are large enough for SIMD lanes. `edge` is any edge of the pool.
-bool fits_kernels(const detail::EdgePool& pool, std::uint32_t edge) {
-  return pool.uniform_shape() && tile_capacity(pool.shape(edge)) >= detail::EdgeTile::kLanes;
-}
-
 /// The number of edges between two checks of the stop token. It is reasonable for edges that take between 1
 /// µs and 100 µs. kValuesBetweenStops is the number of values of H that are cleared in about the same time.
 constexpr std::uint32_t kEdgesBetweenStops = detail::EdgeTile::kCapacity;
@@ -54,7 +39,7 @@ void evaluate(const detail::EdgePool& pool, std::span<const std::uint32_t> edges
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
-    : graph_(&graph), plan_(&plan), edge_chi2_(plan.edge_count), chunk_sums_(plan.chunks.size()) {
+    : graph_(&graph), plan_(&plan), edges_(graph), edge_chi2_(plan.edge_count), chunk_sums_(plan.chunks.size()) {
   const std::size_t copies = plan.eliminated_blocks > 0 ? plan.chunks.size() - 1 : 0;
   gradient_.resize(plan.scalars() + copies * plan.shared_scalars());
   std::size_t values = plan.structure.nonzero_values() - plan.first_stored_value();
@@ -168,7 +153,9 @@ bool Linearizer::linearize_runs(const Chunk& chunk, std::uint32_t first, std::ui
                                 TileMemory& memory, const LinearizeOptions& options, PacedStop& pace) {
   for (std::uint32_t k = first; k < last; ++k) {
     const Chunk::Run& run = chunk.runs[k];
-    if (!linearize_run(chunk.scatters[run.scatter], run, memory, options, pace)) return false;
+    if (!edges_.add(chunk.scatters[run.scatter], run.begin, run.end, memory, options, pace,
+                    {values_.get(), gradient_.data()}))
+      return false;
   }
   return true;
 }
@@ -184,62 +171,6 @@ void Linearizer::add_copies() {
     double* const values =
         values_.get() + (plan_->first_value(chunk.first_shared) - plan_->first_stored_value());
     for (std::uint32_t i = 0; i < plan_->shared_values(); ++i) values[i] += values[chunk.copy.in_values + i];
-  }
-}
-
-/// Linearizes the edges of a run, and adds them to H and to the gradient. Returns false if the token was
-/// raised.
-bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
-                               const LinearizeOptions& options, PacedStop& pace) {
-  const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
-  vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
-  const bool by_tiles = fits_kernels(pool, scatter.edges[run.begin]) &&
-                        memory.adder.choose(pool.shape(scatter.edges[run.begin]).rows, memory.dims);
-  const bool in_lanes = by_tiles && memory.adder.takes_lanes();
-  return for_each_tile(scatter, run, memory, options, in_lanes, pace, [&](const PlacedTile& edges) {
-    if (by_tiles) {
-      memory.adder.add(edges, values_.get(), gradient_.data());
-    } else {
-      add_one_by_one(edges, memory);
-    }
-  });
-}
-
-/// Linearizes the edges of a run, and calls f for each tile. `in_lanes` says whether f can read lanes.
-/// Returns false if the token was raised.
-bool Linearizer::for_each_tile(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
-                               const LinearizeOptions& options, bool in_lanes, PacedStop& pace,
-                               detail::FunctionRef<void(const PlacedTile&)> f) {
-  const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
-  const bool uniform = pool.uniform_shape();
-  const detail::EdgeShape shape = pool.shape(scatter.edges[run.begin]);
-  const std::size_t capacity = uniform ? static_cast<std::size_t>(tile_capacity(shape)) : 1;
-  detail::EdgeTile tile;
-  tile.error = memory.error.data();
-  tile.jacobian = memory.jacobian.data();
-  vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
-  for (std::uint32_t next = run.begin; next < run.end;) {
-    const auto edges = memory.gather(pool, scatter, next, run.end, capacity);
-    if (edges.empty()) continue;
-    if (pace.is_raised_after(static_cast<std::int64_t>(edges.size()))) return false;
-    tile.in_lanes = in_lanes;
-    pool.linearize(edges, tile, options.numeric_jacobians);
-    memory.weights.weigh(pool, edges, tile, options.triggs_correction);
-    if (!uniform) vertex_dims(*graph_, pool, edges[0], memory.dims);
-    f({pool, edges, tile, memory.dims, std::span(memory.targets).first(edges.size()), memory.weights});
-  }
-  return true;
-}
-
-void Linearizer::add_one_by_one(const PlacedTile& edges, TileMemory& memory) {
-  const detail::EdgeTile& tile = edges.tile;
-  for (std::size_t k = 0; k < edges.edges.size(); ++k) {
-    const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
-    const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
-    accumulate({tile.rows, tile.cols, edges.dims, error, jacobian},
-               edges.pool.information(edges.edges[k], tile.rows), edges.weights.weight(k), edges.targets[k],
-               values_.get(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data(),
-               memory.dense.data());
   }
 }
 
@@ -283,7 +214,7 @@ bool Linearizer::multiply_run(const Chunk& chunk, const Chunk::Run& run, TileMem
                               detail::FunctionRef<void(const PlacedTile&)> f) {
   const Scatter& scatter = chunk.scatters[run.scatter];
   const bool in_lanes = fits_kernels(*graph_->edge_pools()[scatter.pool], scatter.edges[run.begin]);
-  return for_each_tile(scatter, run, memory, options, in_lanes, pace, f);
+  return edges_.for_each_tile(scatter, run.begin, run.end, memory, options, in_lanes, pace, f);
 }
 
 /// The layout of vectors for the gradient targets of a chunk.

@@ -10,22 +10,12 @@
 #include <vector>
 
 #include "boxplus/base/function_ref.h"
+#include "linearize/edge_linearizer.h"
 #include "plan/plan.h"
 
 namespace boxplus {
 
-class PacedStop;
-struct PlacedTile;
-struct TileMemory;
 struct VectorLayout;
-
-struct LinearizeOptions {
-  bool numeric_jacobians = false;  ///< differentiate every edge numerically
-  /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for
-  /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J. The curvature along e is at least 1e-4 of that of ρ′Ω. There
-  /// is no such term if ρ is concave along e, or if ρ″ is not finite.
-  bool triggs_correction = false;
-};
 
 /// Computes H and the gradient in each iteration, and stores them. Allocates only in the constructor and in
 /// extend().
@@ -88,21 +78,16 @@ class Linearizer {
   bool linearize_runs(const Chunk& chunk, std::uint32_t first, std::uint32_t last, TileMemory& memory,
                       const LinearizeOptions& options, PacedStop& pace);
   void add_copies();
-  bool linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
-                     const LinearizeOptions& options, PacedStop& pace);
-  bool for_each_tile(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
-                     const LinearizeOptions& options, bool in_lanes, PacedStop& pace,
-                     detail::FunctionRef<void(const PlacedTile&)> f);
   bool multiply_run(const Chunk& chunk, const Chunk::Run& run, TileMemory& memory,
                     const LinearizeOptions& options, PacedStop& pace,
                     detail::FunctionRef<void(const PlacedTile&)> f);
   VectorLayout layout_of(const Chunk& chunk) const;
-  void add_one_by_one(const PlacedTile& edges, TileMemory& memory);
   void evaluate_share(int worker, int workers);
   void allocate_values(std::size_t room);
 
   const Graph* graph_;
   const Plan* plan_;
+  EdgeLinearizer edges_;
   StopToken stop_;
   std::atomic<bool> stopped_ = false;
   std::size_t values_room_ = 0;

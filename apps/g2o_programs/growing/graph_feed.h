@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "common/placement.h"
+#include "guess/placement.h"
 
 namespace boxplus::programs {
 

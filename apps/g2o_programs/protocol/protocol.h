@@ -15,7 +15,7 @@
 #include <string>
 
 #include "boxplus/io/tag.h"
-#include "common/placement.h"
+#include "guess/placement.h"
 #include "protocol/command_stream.h"
 
 namespace boxplus::programs {

@@ -17,6 +17,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/base/function_ref.h"
 #include "boxplus/graph/attachable.h"
+#include "boxplus/graph/change_log.h"
 #include "boxplus/graph/check_types.h"
 #include "boxplus/graph/id_map.h"
 #include "boxplus/graph/lifetime.h"
@@ -96,6 +97,7 @@ class Graph {
   template <detail::ManifoldType T>
   void set_estimate(VertexHandle<T> vertex, std::type_identity_t<detail::StoredEstimate<T>> estimate) {
     detail::StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
+    note_change(vertex);
     const bool resized = boxplus::detail::tangent_dim(value) != boxplus::detail::tangent_dim(estimate);
     if (!resized) return void(value = std::move(estimate));
     std::swap(value, estimate);
@@ -191,6 +193,7 @@ class Graph {
     const std::uint32_t slot = pool.add(std::move(error), information, rows, slots, tail_sizes);
     note_addition();
     const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
+    note_change(handle);
     if (incidence_) index_edge(handle, refs);
     return handle;
   }
@@ -219,6 +222,7 @@ class Graph {
   template <class E>
   void set_measurement(EdgeHandle<E> edge, E error) {
     const detail::EdgeAccess& access = edge_access<E>(edge);
+    note_change(edge);
     try {
       access.exchange(*pools_.edges[edge.pool], edge.slot, &error);
     } catch (const InvalidArgument& misfit) {
@@ -296,6 +300,14 @@ class Graph {
   /// generations are those that the pools have used since r (next_generation()).
   std::uint64_t last_rewrite() const { return last_rewrite_; }
 
+  /// The log to which the graph appends its changes from now on, or nullptr. The caller keeps it alive.
+  void set_change_log(detail::ChangeLog* log) { log_ = log; }
+  detail::ChangeLog* change_log() const { return log_; }
+  /// Says that an algorithm has changed estimates.
+  void note_moved() {
+    if (log_) log_->everything = true;
+  }
+
   /// Tells an observer whether this is still the same graph, and whether it is in use.
   const std::shared_ptr<detail::LifeState>& life() const { return lifetime_.state(); }
 
@@ -307,6 +319,12 @@ class Graph {
 
   void note_rewrite() { last_rewrite_ = ++revision_; }
   void note_addition() { ++revision_; }
+  void note_change(VertexRef vertex) {
+    if (log_) log_->vertices.push_back(vertex);
+  }
+  void note_change(EdgeRef edge) {
+    if (log_) log_->edges.push_back(edge);
+  }
   static Id claim_id(const detail::IdMap& ids, Id& next, std::optional<Id> id, const char* what);
   VertexRef lookup(const detail::IdMap& ids, Id id, const char* what) const;
   [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
@@ -365,6 +383,7 @@ class Graph {
     const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
     ids.insert(id, handle);
     note_addition();
+    note_change(handle);
     return handle;
   }
 
@@ -382,6 +401,7 @@ class Graph {
   std::uint64_t revision_ = 1, last_rewrite_ = 1;
   std::vector<detail::SavedState> stack_;
   detail::Lifetime lifetime_;
+  detail::ChangeLog* log_ = nullptr;
   mutable std::unique_ptr<Incidence> incidence_;  // created by the first call of edges()
 };
 

@@ -45,12 +45,24 @@ class TypedVertexPool final : public VertexPool {
   std::string_view type_name() const override { return boxplus::detail::type_name<T>(); }
   int tangent_dim(std::uint32_t slot) const override { return boxplus::detail::tangent_dim(values_[slot]); }
 
-  void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
-             const double* delta) override {
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      T& x = values_[slots[k]];
-      x = Manifold<T>::oplus(x, delta + offsets[k]);
+  void set_to_sum(std::span<const std::uint32_t> slots, const VertexPool& from,
+                  std::span<const std::uint32_t> offsets, const double* delta) override {
+    const std::vector<T>& base = static_cast<const TypedVertexPool&>(from).values_;
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      values_[slots[k]] = Manifold<T>::oplus(base[slots[k]], delta + offsets[k]);
+  }
+
+  std::unique_ptr<VertexPool> make_store() const override { return std::make_unique<TypedVertexPool>(); }
+  void copy_estimates(std::span<const std::uint32_t> slots, const VertexPool& from) override {
+    for (const std::uint32_t slot : slots) {
+      const T& value = static_cast<const TypedVertexPool&>(from).values_[slot];
+      if (slot >= values_.size()) values_.resize(slot + std::size_t{1}, value);
+      values_[slot] = value;
     }
+  }
+  void swap_estimates(std::span<const std::uint32_t> slots, VertexPool& with) override {
+    for (const std::uint32_t slot : slots)
+      std::swap(values_[slot], static_cast<TypedVertexPool&>(with).values_[slot]);
   }
 
   void save(std::span<const std::uint32_t> slots, std::unique_ptr<SavedEstimates>& saved) const override {

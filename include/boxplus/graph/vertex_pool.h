@@ -75,9 +75,20 @@ class VertexPool {
   virtual std::string_view type_name() const = 0;
   /// The tangent size of the vertex in `slot`.
   virtual int tangent_dim(std::uint32_t slot) const = 0;
-  /// x ← x ⊞ δ for every listed slot; the δ of slots[k] begins at delta[offsets[k]].
-  virtual void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
-                     const double* delta) = 0;
+  /// x ← y ⊞ δ for every listed slot, where y is the estimate in the same slot of `from`, a pool of the same
+  /// type. The δ of slots[k] begins at delta[offsets[k]].
+  virtual void set_to_sum(std::span<const std::uint32_t> slots, const VertexPool& from,
+                          std::span<const std::uint32_t> offsets, const double* delta) = 0;
+  /// x ← x ⊞ δ.
+  void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
+             const double* delta) {
+    set_to_sum(slots, *this, offsets, delta);
+  }
+  /// An empty pool of the same type. It can keep other estimates of the same vertices, in the same slots.
+  virtual std::unique_ptr<VertexPool> make_store() const = 0;
+  /// Copies (swaps) the listed estimates from (with) the same slots of a pool of the same type.
+  virtual void copy_estimates(std::span<const std::uint32_t> slots, const VertexPool& from) = 0;
+  virtual void swap_estimates(std::span<const std::uint32_t> slots, VertexPool& with) = 0;
   /// Copies the listed estimates to `saved`, and creates it if it is null. Allocates nothing if `saved`
   /// already holds as many estimates of the same sizes.
   virtual void save(std::span<const std::uint32_t> slots, std::unique_ptr<SavedEstimates>& saved) const = 0;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kMostNewBlocks = 16;
 
 template <class T>
-std::uint32_t size_of(const std::vector<T>& v) {
+std::uint32_t count_of(const std::vector<T>& v) {
   return static_cast<std::uint32_t>(v.size());
 }
 
@@ -20,7 +20,7 @@ std::uint32_t size_of(const std::vector<T>& v) {
 /// of the range remains unused.
 template <class T>
 void move_to_end(std::vector<T>& list, std::uint32_t& begin, std::uint32_t& end) {
-  const std::uint32_t size = end - begin, target = size_of(list);
+  const std::uint32_t size = end - begin, target = count_of(list);
   for (std::uint32_t k = 0; k < size; ++k) list.push_back(list[begin + k]);
   begin = target;
   end = target + size;
@@ -34,7 +34,7 @@ class Extension {
         f_(factor),
         old_(growth.old_blocks),
         new_(structure.blocks() - growth.old_blocks),
-        old_fronts_(size_of(factor.fronts)) {}
+        old_fronts_(count_of(factor.fronts)) {}
 
   bool is_possible() const {
     if (new_ > kMostNewBlocks) return false;
@@ -67,7 +67,7 @@ class Extension {
       f_.order.push_back(block);
       f_.position.push_back(block);
       f_.offset.push_back(f_.offset.back() + structure_.dim(block));
-      f_.front_of.push_back(size_of(f_.fronts));
+      f_.front_of.push_back(count_of(f_.fronts));
       Front front{};
       front.first_block = block;
       front.end_block = block + 1;
@@ -115,8 +115,8 @@ class Extension {
       add_flops(front, dim);
       front.below += dim;
     }
-    front.row_end = size_of(f_.row_blocks);
-    front.row_run_end = size_of(f_.row_runs);
+    front.row_end = count_of(f_.row_blocks);
+    front.row_run_end = count_of(f_.row_runs);
     if (s >= old_fronts_) add_flops_of_pivots(front);
     change_leading(front);
   }
@@ -145,11 +145,11 @@ class Extension {
   /// Sets the children of the new fronts. The children are former roots and other new fronts.
   void adopt_roots() {
     for (std::uint32_t parent = old_fronts_; parent < f_.fronts.size(); ++parent) {
-      f_.fronts[parent].child_begin = size_of(f_.children);
+      f_.fronts[parent].child_begin = count_of(f_.children);
       for (const std::uint32_t s : touched_) {
         if (f_.fronts[s].parent == parent) f_.children.push_back(s);
       }
-      f_.fronts[parent].child_end = size_of(f_.children);
+      f_.fronts[parent].child_end = count_of(f_.children);
     }
   }
 

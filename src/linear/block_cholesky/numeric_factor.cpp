@@ -8,7 +8,7 @@
 #include "boxplus/base/large_pages.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/kernel_table.h"
-#include "linear/block_cholesky/parallel_front.h"
+#include "linear/block_cholesky/front_elimination.h"
 
 namespace boxplus {
 namespace {
@@ -85,35 +85,22 @@ FrontsResult factor_front(const Context<Scalar>& context, const Front& front, in
   if (stop.raised()) return kStoppedResult;
   const std::uint32_t first_scalar = symbolic.offset[front.first_block];
   Scalar* const panel = factor.arena() + front.panel;
-  Scalar* const update = factor.arena() + front.update;
   Scalar* const minimum_pivot = factor.minimum_pivot() + first_scalar;
   load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
-  for (const std::uint32_t c : symbolic.children_of(front)) {
-    const Front& child = symbolic.fronts[c];
-    const auto pivots = symbolic.pivot_runs(child), all = symbolic.all_runs(child);
-    if (pivots.empty()) continue;
-    extend_add_with<Scalar>(threads, {factor.arena() + child.update, static_cast<int>(child.below),
-                                      pivots.data(), pivots.data() + pivots.size(), all.data() + all.size(),
-                                      panel, static_cast<int>(front.leading), 0, 0});
-  }
-  const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
-  const int leading = static_cast<int>(front.leading);
-  const int good = factor_panel_with(threads, stop, panel, columns + below, columns, leading, minimum_pivot);
+  const int columns = static_cast<int>(front.columns);
+  const LoadedFront<Scalar> loaded{panel,   factor.arena() + front.update, minimum_pivot,
+                                   columns, static_cast<int>(front.below), static_cast<int>(front.leading)};
+  const int good = eliminate_front(loaded, threads, stop, [&](const auto& add) {
+    for (const std::uint32_t c : symbolic.children_of(front)) {
+      const Front& child = symbolic.fronts[c];
+      add(ChildUpdate<Scalar>{factor.arena() + child.update, static_cast<int>(child.below),
+                              symbolic.all_runs(child), child.run_split - child.run_begin});
+    }
+  });
   if (good == kPanelStopped) return kStoppedResult;
   if (good < columns)
     return {LinearStatus::kNotPositiveDefinite, first_scalar + static_cast<std::uint32_t>(good)};
   collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
-  if (!set_to_minus_square_with(threads, stop, update, below, panel + columns, leading, below, columns))
-    return kStoppedResult;
-  for (const std::uint32_t c : symbolic.children_of(front)) {
-    const Front& child = symbolic.fronts[c];
-    const auto all = symbolic.all_runs(child);
-    const ScalarRun* const end = all.data() + all.size();
-    const ScalarRun* const begin = all.data() + symbolic.pivot_runs(child).size();
-    if (begin == end) continue;
-    extend_add_with<Scalar>(threads, {factor.arena() + child.update, static_cast<int>(child.below), begin,
-                                      end, end, update, below, front.columns, front.columns});
-  }
   return {};
 }
 

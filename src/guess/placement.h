@@ -7,7 +7,7 @@
 
 #include "boxplus/graph/graph.h"
 
-namespace boxplus::programs {
+namespace boxplus {
 
 /// Places each new pose or point by the first edge that measures its frame relative to a vertex that has its
 /// place. O(1) per edge.
@@ -35,4 +35,4 @@ class Placement {
   std::unordered_set<std::uint64_t> waiting_;
 };
 
-}  // namespace boxplus::programs
+}  // namespace boxplus

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elements of a graph as blocks and terms of an IncrementalFactor, which follow the changes of the graph.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/incremental/smoother.h"
+#include "linear/incremental/incremental_factor.h"
+#include "linearize/edge_linearizer.h"
+#include "linearize/tile_memory.h"
+
+namespace boxplus {
+
+/// A block exists for each vertex that can move and has edges. Its linearization point θ is kept here, and
+/// the graph has its estimate θ ⊞ δ, where δ is the x of the factor. A term exists for each edge of level 0
+/// that touches a block.
+class LiveProblem {
+ public:
+  using Index = IncrementalFactor::Index;
+  static constexpr Index kNone = IncrementalFactor::kNone;
+
+  LiveProblem(Graph& graph, const SmootherOptions& options);
+
+  /// Adapts blocks and terms to changes of the graph. Edges that have to be linearized are queued.
+  void apply(const detail::ChangeLog& log);
+  /// Holds a vertex as if it were fixed, or releases all.
+  void hold(std::span<const detail::GaugeVertex> vertices);
+
+  bool has_queued_edges() const;
+  /// Linearizes the queued edges at the linearization points of their vertices. If the function throws, or
+  /// returns false because the token was raised, the estimates of the graph are unchanged.
+  bool linearize(const StopToken& stop, std::uint32_t& count);
+  /// Sets the estimates of the listed blocks to θ ⊞ δ.
+  void move(std::span<const Index> blocks);
+  /// Moves the linearization points of those blocks to their estimates that are farther from them than the
+  /// options allow, and queues their edges.
+  void relinearize(std::span<const Index> blocks);
+
+  IncrementalFactor& factor() { return factor_; }
+  VertexRef vertex(Index block) const { return vertex_of_[block]; }
+  std::uint32_t block_count() const { return block_count_; }
+  std::uint32_t term_count() const { return term_count_; }
+  /// Whether an edge was added that may anchor a component which was free before.
+  bool may_be_anchored() const { return may_be_anchored_; }
+
+ private:
+  struct VertexEntry {
+    std::uint32_t generation = 0;
+    Index block = kNone;
+    bool is_known = false, is_held = false;
+    bool moved = false;  // could move after the last change
+  };
+  struct EdgeEntry {
+    std::uint32_t generation = 0;
+    Index term = kNone;
+    bool is_queued = false;
+  };
+  struct EdgeName {
+    std::uint32_t pool = 0, slot = 0;
+  };
+  /// The slots of some vertices of one pool.
+  struct SlotList {
+    std::vector<std::uint32_t> slots, offsets;
+  };
+
+  void grow();
+  void drop_stale_edge(EdgeRef edge);
+  void apply_vertex(VertexRef vertex);
+  void apply_edge(EdgeRef edge);
+  void remove_term(EdgeName name);
+  bool can_move(std::uint32_t pool, std::uint32_t slot) const;
+  Index require_block(std::uint32_t pool, std::uint32_t slot);
+  void remove_block(VertexEntry& entry);
+  const std::vector<std::uint8_t>& kinds_of(std::uint32_t pool, std::uint32_t slot);
+  void set_point(std::uint32_t pool, std::uint32_t slot, Index block);
+  void queue(EdgeName name);
+  void list_points();
+  void swap_points();
+  bool linearize_pool(std::uint32_t pool, const StopToken& stop);
+  void place(const detail::EdgePool& pool, std::uint32_t edge, Index term);
+  void clear_fixed(Index term);
+  void reserve_memory(const detail::EdgePool& pool, std::span<const std::uint32_t> edges);
+
+  Graph& graph_;
+  const SmootherOptions& options_;
+  IncrementalFactor factor_;
+  EdgeLinearizer linearizer_;
+  std::vector<std::vector<VertexEntry>> vertices_;           // per pool and slot
+  std::vector<std::vector<EdgeEntry>> edges_;                // per pool and slot
+  std::vector<std::unique_ptr<detail::VertexPool>> points_;  // θ, per pool
+  std::vector<VertexRef> vertex_of_;                         // per block
+  std::vector<EdgeName> edge_of_;                            // per term
+  std::vector<std::vector<std::uint32_t>> queued_;           // per edge pool
+  std::vector<std::vector<std::uint8_t>> kinds_;             // per vertex pool: the kind of each entry
+  std::vector<SlotList> lists_;                              // per vertex pool; scratch memory
+  std::vector<VertexRef> held_;
+  std::vector<Index> maybe_unused_;
+  std::vector<EdgeRef> again_;                // edges whose vertices have changed
+  std::vector<Index> blocks_, members_;       // of an edge; scratch memory
+  std::vector<double> noticeable_;
+  std::vector<std::uint64_t> pass_of_;        // per block: the last linearize()
+  std::uint64_t pass_ = 0;
+  std::unique_ptr<TileMemory> memory_;
+  std::size_t memory_values_ = 0, memory_rows_ = 0, memory_dense_ = 0;
+  Scatter scatter_;
+  std::uint32_t block_count_ = 0, term_count_ = 0;
+  bool may_be_anchored_ = false;
+};
+
+}  // namespace boxplus
