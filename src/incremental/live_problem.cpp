@@ -392,14 +392,14 @@ void LiveProblem::move(std::span<const Index> blocks) {
   }
 }
 
-void LiveProblem::relinearize(std::span<const Index> blocks) {
+void LiveProblem::relinearize(std::span<const Index> blocks, double scale) {
   for (const Index block : blocks) {
     const auto [pool, slot, generation] = vertex_of_[block];
     const auto x = factor_.x(block);
     const std::vector<std::uint8_t>& kinds = kinds_[pool];
     bool is_far = false;
     for (std::size_t i = 0; i < x.size(); ++i)
-      is_far = is_far || std::abs(x[i]) > distance_of(options_.relinearize, kinds[i]);
+      is_far = is_far || std::abs(x[i]) > scale * distance_of(options_.relinearize, kinds[i]);
     if (is_far) set_point(pool, slot, block);
   }
 }

@@ -36,9 +36,9 @@ class LiveProblem {
   bool linearize(const StopToken& stop, std::uint32_t& count);
   /// Sets the estimates of the listed blocks to θ ⊞ δ.
   void move(std::span<const Index> blocks);
-  /// Moves the linearization points of those blocks to their estimates that are farther from them than the
-  /// options allow, and queues their edges.
-  void relinearize(std::span<const Index> blocks);
+  /// Moves the linearization points of those blocks to their estimates that are farther from them than
+  /// `scale` times what the options allow, and queues their edges.
+  void relinearize(std::span<const Index> blocks, double scale);
 
   IncrementalFactor& factor() { return factor_; }
   VertexRef vertex(Index block) const { return vertex_of_[block]; }

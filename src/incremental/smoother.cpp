@@ -21,14 +21,15 @@ class Smoother::Impl {
     if (!life_->is_over) graph_.set_change_log(nullptr);
   }
 
-  SmootherReport update() {
+  /// Updates the estimates, or finishes them.
+  SmootherReport update(bool finishes) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
     if (life_->is_over) throw InvalidArgument("Smoother: its graph was destroyed or moved");
     SmootherReport report;
     const StopToken flag(options_.stop), limit(options_.stop, begin, options_.time_limit_s);
     take_changes();
-    iterate(report, flag, limit);
+    iterate(report, finishes, flag, limit);
     report.vertices = problem_->block_count();
     report.edges = problem_->term_count();
     report.held = held_;
@@ -54,7 +55,7 @@ class Smoother::Impl {
     is_broken_ = false;
   }
 
-  void iterate(SmootherReport& report, const StopToken& flag, const StopToken& limit) {
+  void iterate(SmootherReport& report, bool finishes, const StopToken& flag, const StopToken& limit) {
     using Reason = SmootherReport::Reason;
     IncrementalFactor& factor = problem_->factor();
     FactorWork work;
@@ -70,9 +71,10 @@ class Smoother::Impl {
         continue;
       }
       solved_.clear();
-      factor.solve(solved_);
+      finishes ? factor.solve_all(solved_) : factor.solve(solved_);
       problem_->move(solved_);
-      problem_->relinearize(solved_);
+      constexpr double kFinished = 1e-4;
+      problem_->relinearize(solved_, finishes ? kFinished : 1.0);
       ++report.iterations;
       report.moved += static_cast<std::uint32_t>(solved_.size());
       if (!problem_->has_queued_edges()) break;
@@ -130,7 +132,11 @@ Smoother::Smoother(Smoother&&) noexcept = default;
 Smoother& Smoother::operator=(Smoother&&) noexcept = default;
 
 SmootherReport Smoother::update() {
-  return impl_->update();
+  return impl_->update(false);
+}
+
+SmootherReport Smoother::finish() {
+  return impl_->update(true);
 }
 
 const SmootherOptions& Smoother::options() const {

@@ -86,6 +86,7 @@ int replay(const ReplayArguments& arguments) {
                  chi2 / batch.chi2_final - 1);
     }
   }
+  total += smoother.finish().time_s;
   const std::size_t worst = static_cast<std::size_t>(
       std::max_element(seconds.begin(), seconds.end()) - seconds.begin());
   const double worst_s = seconds[worst];

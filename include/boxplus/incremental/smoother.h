@@ -21,9 +21,9 @@ struct TangentDistance {
 
 struct SmootherOptions {
   /// A vertex is linearized anew when its estimate is farther than this from its linearization point.
-  TangentDistance relinearize{0.03, 0.01, 0.01};
+  TangentDistance relinearize{0.1, 0.03, 0.03};
   /// Smaller changes of a vertex are not passed on to its neighbors.
-  TangentDistance noticeable{1e-4, 1e-4, 1e-4};
+  TangentDistance noticeable{1e-3, 1e-3, 1e-3};
   /// An update relinearizes until no vertex has to be linearized anew, or until it has done so this often.
   int max_iterations = 20;
   /// An update begins no further iteration after this time, and the next update goes on. At least one
@@ -87,6 +87,9 @@ class Smoother {
   /// Throws InvalidArgument if the graph is gone, and what error functions throw. Graph and smoother are then
   /// as before, and the next update begins anew.
   SmootherReport update();
+  /// Like update(), but computes all vertices, and linearizes anew until the estimates are at the optimum to
+  /// the last digits, as optimize() does. Takes a few iterations over the whole graph.
+  SmootherReport finish();
   const SmootherOptions& options() const;
   void set_options(const SmootherOptions& options);
 

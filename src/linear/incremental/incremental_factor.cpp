@@ -294,6 +294,15 @@ void IncrementalFactor::solve_front(const Front& front, std::vector<Index>& solv
   }
 }
 
+void IncrementalFactor::solve_all(std::vector<Index>& solved) {
+  for (Index f = 0; f < fronts_.size(); ++f) {
+    if (fronts_[f].columns == 0) continue;
+    fronts_[f].is_unsolved = true;
+    if (fronts_[f].parent == kNone) new_roots_.push_back(f);
+  }
+  solve(solved);
+}
+
 void IncrementalFactor::solve(std::vector<Index>& solved) {
   ++pass_;
   stack_.clear();

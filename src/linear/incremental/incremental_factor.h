@@ -68,6 +68,8 @@ class IncrementalFactor {
   Result factorize(const StopToken& stop, FactorWork& work);
   /// Brings x up to date, as far as its changes are noticeable, and appends the blocks whose x was computed.
   void solve(std::vector<Index>& solved);
+  /// Computes all of x.
+  void solve_all(std::vector<Index>& solved);
   std::span<const double> x(Index block) const {
     return {x_.data() + blocks_[block].x, blocks_[block].dim};
   }

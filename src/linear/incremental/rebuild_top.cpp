@@ -5,7 +5,7 @@
 #include "linear/block_cholesky/factor_memory.h"
 #include "linear/block_cholesky/front_runs.h"
 #include "linear/incremental/incremental_factor.h"
-#include "linear/ordering/amd_ordering.h"
+#include "linear/incremental/top_order.h"
 
 namespace boxplus {
 
@@ -122,22 +122,19 @@ BlockStructure IncrementalFactor::structure_of_top() {
 void IncrementalFactor::rebuild() {
   if (top_.blocks.empty()) return;
   const BlockStructure structure = structure_of_top();
-  const std::vector<std::uint32_t> last{structure.blocks() - 1};
-  const AmalgamationRule rule;
-  const FactorOutline outline = outline_factor(structure, {}, rule, Ordering::kMinimumDegree, 1,
-                                               amd_ordering(structure, last));
+  const FactorOutline outline =
+      outline_factor(structure, {}, {}, Ordering::kMinimumDegree, 1, order_top(structure));
   const SupernodePartition& partition = outline.partition;
   std::vector<Index> built;
   for (std::size_t s = 0; s + 1 < partition.start.size(); ++s) {
     const Index f = new_front();
-    Front& front = fronts_[f];
     for (std::uint32_t k = partition.start[s]; k < partition.start[s + 1]; ++k) {
       const Index b = top_.blocks[outline.order[partition.order[k]]];
       blocks_[b].sequence = ++sequence_;
       blocks_[b].front = f;
-      front.blocks.push_back(b);
+      fronts_[f].blocks.push_back(b);
     }
-    front.pivots = static_cast<Index>(front.blocks.size());
+    fronts_[f].pivots = static_cast<Index>(fronts_[f].blocks.size());
     built.push_back(f);
   }
   for (const Index orphan : top_.orphans) {
