@@ -57,10 +57,13 @@ void LiveProblem::grow() {
   lists_.resize(pools.size());
   for (std::size_t p = 0; p < pools.size(); ++p) {
     vertices_[p].resize(pools[p]->slots());
-    if (p >= points_.size()) points_.push_back(pools[p]->make_store());
+    if (p < points_.size()) continue;
+    points_.push_back(pools[p]->make_store());
+    before_.push_back(pools[p]->make_store());
   }
   edges_.resize(graph_.edge_pools().size());
   queued_.resize(edges_.size());
+  is_relative_.resize(edges_.size());
   for (std::size_t p = 0; p < edges_.size(); ++p) edges_[p].resize(graph_.edge_pools()[p]->slots());
 }
 
@@ -79,20 +82,42 @@ void LiveProblem::apply(const detail::ChangeLog& log) {
   maybe_unused_.clear();
 }
 
-void LiveProblem::hold(std::span<const detail::GaugeVertex> vertices) {
+bool LiveProblem::hold(const Plan& plan) {
+  std::vector<std::pair<VertexRef, int>> directions;
+  for (const std::uint32_t scalar : plan.held_scalars) {
+    const auto& offset = plan.structure.offset;
+    const auto block = std::upper_bound(offset.begin(), offset.end(), scalar) - offset.begin() - 1;
+    const auto k = static_cast<std::size_t>(block);
+    directions.emplace_back(plan.block_vertex[k], static_cast<int>(scalar - offset[k]));
+  }
+  if (may_be_anchored_) {
+    for (std::size_t p = 0; p < is_relative_.size(); ++p) is_relative_[p] = graph_.edge_pools()[p]->slots() > 0;
+  }
+  may_be_anchored_ = false;
+  const bool is_same = directions == held_directions_ &&
+                       std::equal(held_.begin(), held_.end(), plan.held.begin(), plan.held.end(),
+                                  [](const auto& a, const auto& b) { return a.vertex == b.vertex; });
+  if (is_same) return false;
+  std::vector<VertexRef> changed;
+  const auto hold_all = [&](const std::vector<detail::GaugeVertex>& list, bool is_held) {
+    for (const detail::GaugeVertex& held : list) {
+      if (!graph_.contains(held.vertex)) continue;
+      vertices_[held.vertex.pool][held.vertex.slot].is_held = is_held;
+      changed.push_back(held.vertex);
+    }
+  };
+  hold_all(held_, false);
+  hold_all(plan.held, true);
+  directions.swap(held_directions_);
+  for (const auto& [vertex, direction] : held_directions_) changed.push_back(vertex);
+  for (const auto& [vertex, direction] : directions) {
+    if (graph_.contains(vertex)) changed.push_back(vertex);
+  }
+  held_ = plan.held;
   again_.clear();
-  for (const VertexRef& old : held_) {
-    if (!graph_.contains(old)) continue;
-    vertices_[old.pool][old.slot].is_held = false;
-    apply_vertex(old);
-  }
-  held_.clear();
-  for (const detail::GaugeVertex& held : vertices) {
-    vertices_[held.vertex.pool][held.vertex.slot].is_held = true;
-    held_.push_back(held.vertex);
-    apply_vertex(held.vertex);
-  }
+  for (const VertexRef& vertex : changed) apply_vertex(vertex);
   for (const EdgeRef& edge : again_) apply_edge(edge);
+  return true;
 }
 
 /// Removes the term of a known edge if the edge is gone or takes no part any more.
@@ -149,7 +174,7 @@ void LiveProblem::apply_edge(EdgeRef edge) {
     const std::uint32_t vertex_pool = pool.vertex_pool(edge.slot, static_cast<int>(i));
     if (can_move(vertex_pool, slots[i])) blocks_.push_back(require_block(vertex_pool, slots[i]));
   }
-  if (!pool.is_rigid() || blocks_.size() < slots.size() || slots.size() == 1) may_be_anchored_ = true;
+  note_anchor(edge.pool, edge.slot);
   if (blocks_.empty()) return;
   entry.generation = pool.generation(edge.slot);
   entry.term = factor_.add_term(blocks_);
@@ -192,6 +217,20 @@ void LiveProblem::remove_block(VertexEntry& entry) {
   --block_count_;
 }
 
+/// Notes whether a new edge may anchor a component.
+void LiveProblem::note_anchor(std::uint32_t p, std::uint32_t edge) {
+  if (held_.empty() && held_directions_.empty()) return;
+  const detail::EdgePool& pool = *graph_.edge_pools()[p];
+  const auto slots = pool.vertex_slots(edge);
+  bool reaches_fixed = slots.size() == 1;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const detail::VertexPool& vertices = *graph_.vertex_pools()[pool.vertex_pool(edge, static_cast<int>(i))];
+    reaches_fixed = reaches_fixed || (vertices.fixed(slots[i]) && !vertices.parameter(slots[i]));
+  }
+  if (!reaches_fixed && (pool.is_rigid() || is_relative_[p])) return;
+  may_be_anchored_ = true;
+}
+
 /// Says for each entry of the tangent whether it is a length, an angle or something else.
 const std::vector<std::uint8_t>& LiveProblem::kinds_of(std::uint32_t p, std::uint32_t slot) {
   const detail::VertexPool& pool = *graph_.vertex_pools()[p];
@@ -223,9 +262,11 @@ const std::vector<std::uint8_t>& LiveProblem::kinds_of(std::uint32_t p, std::uin
 void LiveProblem::set_point(std::uint32_t pool, std::uint32_t slot, Index block) {
   points_[pool]->copy_estimates({&slot, 1}, *graph_.vertex_pools()[pool]);
   factor_.reset_x(block);
-  std::vector<int> fixed;
   const auto directions = graph_.vertex_pools()[pool]->fixed_directions(slot);
   factor_.hold_scalars(block, directions);
+  for (const auto& [vertex, direction] : held_directions_) {
+    if (vertex.pool == pool && vertex.slot == slot) factor_.hold_scalars(block, {&direction, 1});
+  }
   for (const Index term : factor_.terms_of(block)) queue(edge_of_[term]);
 }
 
@@ -381,10 +422,15 @@ void LiveProblem::move(std::span<const Index> blocks) {
     list.slots.clear();
     list.offsets.clear();
   }
+  moved_in_.resize(vertex_of_.size());
   for (const Index block : blocks) {
-    SlotList& list = lists_[vertex_of_[block].pool];
-    list.slots.push_back(vertex_of_[block].slot);
-    list.offsets.push_back(factor_.x_offset(block));
+    const auto [pool, slot, generation] = vertex_of_[block];
+    lists_[pool].slots.push_back(slot);
+    lists_[pool].offsets.push_back(factor_.x_offset(block));
+    if (moved_in_[block] == transaction_) continue;
+    moved_in_[block] = transaction_;
+    moved_.push_back(block);
+    before_[pool]->copy_estimates({&slot, 1}, *graph_.vertex_pools()[pool]);
   }
   for (std::size_t p = 0; p < lists_.size(); ++p) {
     if (lists_[p].slots.empty()) continue;
@@ -392,16 +438,27 @@ void LiveProblem::move(std::span<const Index> blocks) {
   }
 }
 
-void LiveProblem::relinearize(std::span<const Index> blocks, double scale) {
+void LiveProblem::restore() {
+  for (const Index block : moved_) {
+    const auto [pool, slot, generation] = vertex_of_[block];
+    graph_.vertex_pools()[pool]->copy_estimates({&slot, 1}, *before_[pool]);
+  }
+  moved_.clear();
+}
+
+double LiveProblem::relinearize(std::span<const Index> blocks, double scale) {
+  double farthest = 0;
   for (const Index block : blocks) {
     const auto [pool, slot, generation] = vertex_of_[block];
     const auto x = factor_.x(block);
     const std::vector<std::uint8_t>& kinds = kinds_[pool];
-    bool is_far = false;
+    double distance = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
-      is_far = is_far || std::abs(x[i]) > scale * distance_of(options_.relinearize, kinds[i]);
-    if (is_far) set_point(pool, slot, block);
+      distance = std::max(distance, std::abs(x[i]) / distance_of(options_.relinearize, kinds[i]));
+    farthest = std::max(farthest, distance);
+    if (distance > scale) set_point(pool, slot, block);
   }
+  return farthest;
 }
 
 }  // namespace boxplus

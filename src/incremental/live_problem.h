@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
@@ -27,8 +28,10 @@ class LiveProblem {
 
   /// Adapts blocks and terms to changes of the graph. Edges that have to be linearized are queued.
   void apply(const detail::ChangeLog& log);
-  /// Holds a vertex as if it were fixed, or releases all.
-  void hold(std::span<const detail::GaugeVertex> vertices);
+  /// Holds the vertices and directions that a plan holds, instead of those of the last call. Returns false if
+  /// they are the same.
+  bool hold(const Plan& plan);
+  std::span<const detail::GaugeVertex> held() const { return held_; }
 
   bool has_queued_edges() const;
   /// Linearizes the queued edges at the linearization points of their vertices. If the function throws, or
@@ -36,15 +39,19 @@ class LiveProblem {
   bool linearize(const StopToken& stop, std::uint32_t& count);
   /// Sets the estimates of the listed blocks to θ ⊞ δ.
   void move(std::span<const Index> blocks);
+  /// Begins a transaction: restore() sets all estimates that move() changes back to what they are now.
+  void begin() { moved_.clear(), ++transaction_; }
+  void restore();
   /// Moves the linearization points of those blocks to their estimates that are farther from them than
-  /// `scale` times what the options allow, and queues their edges.
-  void relinearize(std::span<const Index> blocks, double scale);
+  /// `scale` times what the options allow, and queues their edges. Returns the largest distance, divided by
+  /// what the options allow.
+  double relinearize(std::span<const Index> blocks, double scale);
 
   IncrementalFactor& factor() { return factor_; }
   VertexRef vertex(Index block) const { return vertex_of_[block]; }
   std::uint32_t block_count() const { return block_count_; }
   std::uint32_t term_count() const { return term_count_; }
-  /// Whether an edge was added that may anchor a component which was free before.
+  /// Whether an edge was added, since the last hold(), that may anchor a component which was free before.
   bool may_be_anchored() const { return may_be_anchored_; }
 
  private:
@@ -73,6 +80,7 @@ class LiveProblem {
   void apply_edge(EdgeRef edge);
   void remove_term(EdgeName name);
   bool can_move(std::uint32_t pool, std::uint32_t slot) const;
+  void note_anchor(std::uint32_t pool, std::uint32_t edge);
   Index require_block(std::uint32_t pool, std::uint32_t slot);
   void remove_block(VertexEntry& entry);
   const std::vector<std::uint8_t>& kinds_of(std::uint32_t pool, std::uint32_t slot);
@@ -97,7 +105,13 @@ class LiveProblem {
   std::vector<std::vector<std::uint32_t>> queued_;           // per edge pool
   std::vector<std::vector<std::uint8_t>> kinds_;             // per vertex pool: the kind of each entry
   std::vector<SlotList> lists_;                              // per vertex pool; scratch memory
-  std::vector<VertexRef> held_;
+  std::vector<detail::GaugeVertex> held_;
+  std::vector<std::pair<VertexRef, int>> held_directions_;
+  std::vector<bool> is_relative_;  // per edge pool: its edges without fixed vertices do not anchor anything
+  std::vector<std::unique_ptr<detail::VertexPool>> before_;  // the estimates before the transaction
+  std::vector<Index> moved_;
+  std::vector<std::uint64_t> moved_in_;  // per block: its last transaction
+  std::uint64_t transaction_ = 0;
   std::vector<Index> maybe_unused_;
   std::vector<EdgeRef> again_;                // edges whose vertices have changed
   std::vector<Index> blocks_, members_;       // of an edge; scratch memory

@@ -2,8 +2,11 @@
 #include "boxplus/incremental/smoother.h"
 
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <string>
 
+#include "boxplus/optimize/optimizer.h"
 #include "incremental/live_problem.h"
 #include "plan/plan.h"
 
@@ -29,10 +32,21 @@ class Smoother::Impl {
     SmootherReport report;
     const StopToken flag(options_.stop), limit(options_.stop, begin, options_.time_limit_s);
     take_changes();
-    iterate(report, finishes, flag, limit);
+    work_ = {};
+    try {
+      iterate(report, finishes, flag, limit);
+    } catch (...) {
+      problem_->restore();
+      throw;
+    }
+    const double scalars = problem_->factor().scalars();
     report.vertices = problem_->block_count();
     report.edges = problem_->term_count();
-    report.held = held_;
+    report.ordered = work_.ordered_blocks;
+    report.refactored = work_.factorized_fronts;
+    report.refactored_share = scalars > 0 ? work_.factorized_scalars / scalars : 0;
+    report.flops = work_.flops;
+    report.held.assign(problem_->held().begin(), problem_->held().end());
     report.time_s = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;
   }
@@ -42,77 +56,84 @@ class Smoother::Impl {
  private:
   /// Takes over what has changed in the graph. If the function throws, the next update begins anew.
   void take_changes() {
-    if (log_.everything || is_broken_) {
-      is_broken_ = true;
+    const bool begins = log_.everything || is_broken_;
+    is_broken_ = true;
+    if (begins) {
+      log_.clear();
       problem_.reset();
       problem_ = std::make_unique<LiveProblem>(graph_, options_);
-      held_.clear();
     } else {
-      is_broken_ = true;
       problem_->apply(log_);
+      log_.clear();
     }
-    log_.clear();
-    is_broken_ = false;
+    problem_->begin();
+    if (problem_->may_be_anchored()) anchor();
   }
 
+  /// Linearizes, factorizes and solves until no vertex has to be linearized anew.
   void iterate(SmootherReport& report, bool finishes, const StopToken& flag, const StopToken& limit) {
     using Reason = SmootherReport::Reason;
     IncrementalFactor& factor = problem_->factor();
-    FactorWork work;
     bool is_anchored = false;
-    is_broken_ = true;
+    double farthest = std::numeric_limits<double>::infinity();
+    int growths = 0;
     for (;;) {
-      if (!problem_->linearize(flag, report.relinearized)) return stop(report, Reason::kStopFlag);
-      const auto [status, lost] = factor.factorize(flag, work);
-      if (status == LinearStatus::kStopped) return stop(report, Reason::kStopFlag);
-      if (status != LinearStatus::kOk) {
-        if (is_anchored || !anchor()) return complain(report, lost);
+      if (!problem_->linearize(flag, report.relinearized)) return end(report, Reason::kStopFlag);
+      const auto [status, lost, is_suspicious] = factor.factorize(flag, work_);
+      if (status == LinearStatus::kStopped) return end(report, Reason::kStopFlag);
+      const bool is_lost = status != LinearStatus::kOk;
+      if ((is_lost || is_suspicious) && !is_anchored) {
         is_anchored = true;
-        continue;
+        if (anchor()) continue;
       }
+      if (is_lost) return fail(report, lost);
       solved_.clear();
       finishes ? factor.solve_all(solved_) : factor.solve(solved_);
       problem_->move(solved_);
       constexpr double kFinished = 1e-4;
-      problem_->relinearize(solved_, finishes ? kFinished : 1.0);
+      const double distance = problem_->relinearize(solved_, finishes ? kFinished : 1.0);
       ++report.iterations;
       report.moved += static_cast<std::uint32_t>(solved_.size());
-      if (!problem_->has_queued_edges()) break;
-      if (report.iterations >= options_.max_iterations) {
-        report.reason = Reason::kMaxIterations;
-        break;
-      }
-      if (limit.raised()) {
-        report.reason = flag.raised() ? Reason::kStopFlag : Reason::kTimeLimit;
-        break;
-      }
+      if (!problem_->has_queued_edges()) return end(report, Reason::kConverged);
+      growths = distance > farthest ? growths + 1 : 0;
+      farthest = distance;
+      constexpr int kMostGrowths = 3;
+      if (growths >= kMostGrowths || !std::isfinite(distance)) return start_over(report);
+      if (report.iterations >= options_.max_iterations) return end(report, Reason::kMaxIterations);
+      if (limit.raised()) return end(report, flag.raised() ? Reason::kStopFlag : Reason::kTimeLimit);
     }
-    is_broken_ = false;
-    report.ordered = work.ordered_blocks;
-    report.refactored = work.factorized_fronts;
-    report.refactored_share = factor.scalars() > 0 ? work.factorized_scalars / static_cast<double>(factor.scalars()) : 0;
-    report.flops = work.flops;
   }
 
-  void stop(SmootherReport& report, SmootherReport::Reason reason) {
+  /// Ends an update that the next one can continue.
+  void end(SmootherReport& report, SmootherReport::Reason reason) {
     is_broken_ = false;
     report.reason = reason;
   }
 
-  /// Holds vertices of components that nothing anchors. Returns false if there are none.
-  bool anchor() {
-    PlanRequest request;
-    const Plan plan = make_plan(graph_, request);
-    if (plan.held.empty()) return false;
-    held_ = plan.held;
-    problem_->hold(held_);
-    return true;
+  /// Gauss-Newton steps diverge: lets optimize() look for the optimum, from the estimates before the update.
+  void start_over(SmootherReport& report) {
+    problem_->restore();
+    Options options{.start = Start::kAutomatic, .threads = 1};
+    options.stop = options_.stop;
+    options.numeric_jacobians = options_.numeric_jacobians;
+    const Report batch = optimize(graph_, options);
+    report.started_over = true;
+    report.reason = batch.converged()                            ? SmootherReport::Reason::kConverged
+                    : batch.reason == Report::Reason::kStopFlag ? SmootherReport::Reason::kStopFlag
+                                                                 : SmootherReport::Reason::kMaxIterations;
   }
 
-  void complain(SmootherReport& report, LiveProblem::Index block) {
+  /// Holds vertices and directions of components that nothing anchors, and no others. Returns false if
+  /// nothing changes.
+  bool anchor() {
+    return problem_->hold(make_plan(graph_, {}));
+  }
+
+  void fail(SmootherReport& report, LiveProblem::Index block) {
     report.reason = SmootherReport::Reason::kNotDetermined;
     report.message = "vertex " + std::to_string(graph_.id(problem_->vertex(block))) +
                      " is not determined by its edges";
+    problem_->restore();
   }
 
   Graph& graph_;
@@ -120,9 +141,9 @@ class Smoother::Impl {
   SmootherOptions options_;
   detail::ChangeLog log_;
   std::unique_ptr<LiveProblem> problem_;
-  std::vector<detail::GaugeVertex> held_;
+  FactorWork work_;  // of the current update
   std::vector<LiveProblem::Index> solved_;
-  bool is_broken_ = false;
+  bool is_broken_ = false;  // the next update begins anew
 };
 
 Smoother::Smoother(Graph& graph, SmootherOptions options)

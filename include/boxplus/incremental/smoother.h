@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "boxplus/gauge/gauge.h"
@@ -41,7 +42,6 @@ struct SmootherReport {
     kTimeLimit,       ///< the next update goes on
     kStopFlag,        ///< the next update goes on
     kNotDetermined,   ///< the edges do not determine the vertex `vertex`; the estimates are unchanged
-    kNonFinite,       ///< an error or a Jacobian is not finite; the estimates are unchanged
   };
   Reason reason = Reason::kConverged;
   std::string message;  ///< names the vertex if the reason is kNotDetermined; empty if all is well
@@ -52,8 +52,9 @@ struct SmootherReport {
   std::uint32_t ordered = 0;       ///< vertices that were ordered anew
   std::uint32_t refactored = 0;    ///< fronts of the factor that were computed
   double refactored_share = 0;     ///< the share of the unknowns in these fronts
-  std::uint32_t moved = 0;         ///< vertices whose estimates were computed anew
+  std::uint32_t moved = 0;         ///< estimates that were computed
   double flops = 0;                ///< the operations of the factorizations
+  bool started_over = false;       ///< the steps diverged, and optimize() ran over the whole graph
   double time_s = 0;
   std::vector<detail::GaugeVertex> held;  ///< vertices that are held because nothing fixes their components
   bool converged() const { return reason == Reason::kConverged; }

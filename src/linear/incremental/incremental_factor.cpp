@@ -163,7 +163,8 @@ IncrementalFactor::Result IncrementalFactor::factorize(const StopToken& stop, Fa
   Result result;
   for (; done < dirty_.size() && result.status == LinearStatus::kOk; ++done) {
     Front& front = fronts_[dirty_[done]];
-    result = factorize_front(front, stop);
+    const Result of_front = factorize_front(front, stop);
+    result = {of_front.status, of_front.lost_block, result.is_suspicious || of_front.is_suspicious};
     if (result.status != LinearStatus::kOk) break;
     front.is_dirty = false;
     front.is_unsolved = true;
@@ -251,7 +252,15 @@ IncrementalFactor::Result IncrementalFactor::factorize_front(Front& front, const
     }
   });
   if (good == kPanelStopped) return {LinearStatus::kStopped, kNone};
-  if (good == loaded.columns) return {};
+  if (good == loaded.columns) {
+    constexpr double kSuspicious = 1e-10 / kLostPivot;
+    bool is_suspicious = false;
+    for (std::size_t c = 0; c < front.columns; ++c) {
+      const double root = front.values[c * (front.leading + 1)];
+      is_suspicious = is_suspicious || root * root < kSuspicious * minimum_pivot_[c];
+    }
+    return {LinearStatus::kOk, kNone, is_suspicious};
+  }
   const auto lost = static_cast<std::uint32_t>(good);
   const auto pivots = front.pivot_blocks();
   return {LinearStatus::kNotPositiveDefinite,

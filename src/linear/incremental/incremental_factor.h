@@ -62,7 +62,8 @@ class IncrementalFactor {
 
   struct Result {
     LinearStatus status = LinearStatus::kOk;
-    Index lost_block = kNone;  // if not positive definite
+    Index lost_block = kNone;    // if not positive definite
+    bool is_suspicious = false;  // a pivot lost so many digits that its direction may be undetermined
   };
   /// Brings the factor up to date. If a pivot is lost or the token is raised, the next call continues.
   Result factorize(const StopToken& stop, FactorWork& work);
