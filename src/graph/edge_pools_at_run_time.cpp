@@ -24,14 +24,15 @@ EdgeRef Graph::add_edge(std::uint32_t pool, std::span<const VertexRef> vertices,
   if (pool >= pools_.edges.size())
     throw InvalidArgument("add_edge: there is no edge pool " + std::to_string(pool));
   detail::EdgePool& edges = *pools_.edges[pool];
-  if (vertices.size() != edges.vertex_pools_.size()) {
+  const bool has_tails = edges.tails_ > 0;  // then, the pool itself knows which vertices it takes
+  if (!has_tails && vertices.size() != edges.vertex_pools_.size()) {
     throw InvalidArgument("add_edge: expected " + std::to_string(edges.vertex_pools_.size()) +
                           " vertices, got " + std::to_string(vertices.size()));
   }
   std::vector<std::uint32_t> slots;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     check(vertices[i]);
-    if (vertices[i].pool != edges.vertex_pools_[i])
+    if (!has_tails && vertices[i].pool != edges.vertex_pools_[i])
       throw_wrong_type(vertices[i], pools_.vertices[edges.vertex_pools_[i]]->type_name());
     slots.push_back(vertices[i].slot);
   }

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "base/all_finite.h"
 #include "base/paced_stop.h"
 #include "boxplus/base/error.h"
+#include "incremental/dense_marginal.h"
+#include "incremental/marginal_pool.h"
 #include "plan/dense_scratch.h"
 
 namespace boxplus {
@@ -139,6 +142,7 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
   VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
   const bool is_same = entry.is_known && pool.alive(vertex.slot) &&
                        pool.generation(vertex.slot) == entry.generation;
+  if (!is_same) entry.is_held = false;  // another vertex uses the slot
   const bool moves = pool.alive(vertex.slot) && can_move(vertex.pool, vertex.slot);
   const bool has_place =
       entry.block != kNone && is_same && moves &&
@@ -153,7 +157,12 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
   } else if (has_place) {
     set_point(vertex.pool, vertex.slot, entry.block);
   } else if (is_same && (!moves || !entry.moved)) {
-    for (const EdgeRef& edge : graph_.edges(vertex)) again_.push_back(edge);
+    for (const EdgeRef& edge : graph_.edges(vertex)) {
+      again_.push_back(edge);
+      const EdgeEntry& known = edges_[edge.pool][edge.slot];
+      if (moves && known.term != kNone && known.generation == edge.generation)
+        remove_term({edge.pool, edge.slot});  // because the term lacks this vertex
+    }
   }
   entry.is_known = pool.alive(vertex.slot);
   entry.generation = pool.alive(vertex.slot) ? pool.generation(vertex.slot) : 0;
@@ -197,6 +206,8 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   VertexEntry& entry = vertices_[p][slot];
   if (entry.block != kNone) return entry.block;
   const detail::VertexPool& pool = *graph_.vertex_pools()[p];
+  if (!pool.bounds(slot).empty())
+    throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(slot)) + " has bounds; use optimize()");
   const std::vector<std::uint8_t>& kinds = kinds_of(p, slot);
   noticeable_.clear();
   for (int i = 0; i < pool.tangent_dim(slot); ++i)
@@ -207,6 +218,8 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   if (entry.block >= vertex_of_.size()) vertex_of_.resize(entry.block + std::size_t{1});
   vertex_of_[entry.block] = {p, slot, entry.generation};
   ++block_count_;
+  entry.is_pinned = false;
+  new_vertices_.push_back(vertex_of_[entry.block]);
   set_point(p, slot, entry.block);
   return entry.block;
 }
@@ -222,13 +235,23 @@ void LiveProblem::note_anchor(std::uint32_t p, std::uint32_t edge) {
   if (held_.empty() && held_directions_.empty()) return;
   const detail::EdgePool& pool = *graph_.edge_pools()[p];
   const auto slots = pool.vertex_slots(edge);
-  bool reaches_fixed = slots.size() == 1;
+  bool reaches_fixed = slots.size() == 1, reaches_held = false;
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    const detail::VertexPool& vertices = *graph_.vertex_pools()[pool.vertex_pool(edge, static_cast<int>(i))];
+    const std::uint32_t v = pool.vertex_pool(edge, static_cast<int>(i));
+    const detail::VertexPool& vertices = *graph_.vertex_pools()[v];
     reaches_fixed = reaches_fixed || (vertices.fixed(slots[i]) && !vertices.parameter(slots[i]));
+    reaches_held = reaches_held || vertices_[v][slots[i]].is_held;
   }
-  if (!reaches_fixed && (pool.is_rigid() || is_relative_[p])) return;
-  may_be_anchored_ = true;
+  Index tree = kNone;  // the first tree that the edge reaches
+  bool joins_trees = reaches_held && held_.size() > 1;
+  for (const Index block : blocks_) {
+    const Index root = factor_.root_of(block);
+    if (root == kNone) continue;
+    joins_trees = joins_trees || (tree != kNone && root != tree);
+    tree = root;
+  }
+  const bool is_relative = pool.is_rigid() || is_relative_[p];
+  may_be_anchored_ = may_be_anchored_ || reaches_fixed || joins_trees || !is_relative;
 }
 
 /// Says for each entry of the tangent whether it is a length, an angle or something else.
@@ -256,17 +279,28 @@ const std::vector<std::uint8_t>& LiveProblem::kinds_of(std::uint32_t p, std::uin
   return kinds;
 }
 
+Index LiveProblem::block(VertexRef vertex) const {
+  if (!graph_.contains(vertex)) throw InvalidArgument("Smoother: stale vertex handle");
+  const bool is_known = vertex.pool < vertices_.size() && vertex.slot < vertices_[vertex.pool].size();
+  if (!is_known) return kNone;
+  const VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
+  return entry.generation == vertex.generation ? entry.block : kNone;
+}
+
 // ---- Linearization ----
 
 /// Sets the linearization point of a block to the estimate of its vertex, and queues its edges.
 void LiveProblem::set_point(std::uint32_t pool, std::uint32_t slot, Index block) {
   points_[pool]->copy_estimates({&slot, 1}, *graph_.vertex_pools()[pool]);
   factor_.reset_x(block);
-  const auto directions = graph_.vertex_pools()[pool]->fixed_directions(slot);
-  factor_.hold_scalars(block, directions);
+  const auto fixed = graph_.vertex_pools()[pool]->fixed_directions(slot);
+  std::vector<int> directions(fixed.begin(), fixed.end());
   for (const auto& [vertex, direction] : held_directions_) {
-    if (vertex.pool == pool && vertex.slot == slot) factor_.hold_scalars(block, {&direction, 1});
+    if (vertex == vertex_of_[block]) directions.push_back(direction);
   }
+  const bool is_same = std::ranges::equal(directions, factor_.held_scalars(block));
+  if (!is_same) factor_.hold_scalars(block, directions);
+  if (!is_same && (!held_.empty() || !held_directions_.empty())) may_be_anchored_ = true;
   for (const Index term : factor_.terms_of(block)) queue(edge_of_[term]);
 }
 
@@ -306,7 +340,7 @@ void LiveProblem::swap_points() {
   }
 }
 
-bool LiveProblem::linearize(const StopToken& stop, std::uint32_t& count) {
+LiveProblem::Linearized LiveProblem::linearize(const StopToken& stop, std::uint32_t& count) {
   list_points();
   struct AtPoints {
     explicit AtPoints(LiveProblem& p) : problem(p) { problem.swap_points(); }
@@ -321,16 +355,16 @@ bool LiveProblem::linearize(const StopToken& stop, std::uint32_t& count) {
       return !edges_[p][edge].is_queued;
     });
     if (list.empty()) continue;
-    if (!linearize_pool(p, stop)) return false;
+    if (const Linearized result = linearize_pool(p, stop); result != Linearized::kAll) return result;
     count += static_cast<std::uint32_t>(list.size());
     for (const std::uint32_t edge : list) edges_[p][edge].is_queued = false;
     list.clear();
   }
-  return true;
+  return Linearized::kAll;
 }
 
-/// Linearizes the queued edges of a pool. Returns false if the token was raised.
-bool LiveProblem::linearize_pool(std::uint32_t p, const StopToken& stop) {
+/// Linearizes the queued edges of a pool.
+LiveProblem::Linearized LiveProblem::linearize_pool(std::uint32_t p, const StopToken& stop) {
   const detail::EdgePool& pool = *graph_.edge_pools()[p];
   std::vector<std::uint32_t>& list = queued_[p];
   std::sort(list.begin(), list.end());
@@ -347,9 +381,14 @@ bool LiveProblem::linearize_pool(std::uint32_t p, const StopToken& stop) {
   double* const values = factor_.values();
   if (!linearizer_.add(scatter_, 0, static_cast<std::uint32_t>(list.size()), *memory_,
                        {options_.numeric_jacobians, false}, pace, {values, values}))
-    return false;
-  for (const std::uint32_t edge : list) clear_fixed(edges_[p][edge].term);
-  return true;
+    return Linearized::kStopped;
+  for (const std::uint32_t edge : list) {
+    clear_fixed(edges_[p][edge].term);
+    if (all_finite(factor_.values_of(edges_[p][edge].term))) continue;
+    non_finite_ = {p, edge, pool.generation(edge)};
+    return Linearized::kNonFinite;
+  }
+  return Linearized::kAll;
 }
 
 /// Clears the term of an edge, and appends the targets of the edge to the scatter.
@@ -456,9 +495,81 @@ double LiveProblem::relinearize(std::span<const Index> blocks, double scale) {
     for (std::size_t i = 0; i < x.size(); ++i)
       distance = std::max(distance, std::abs(x[i]) / distance_of(options_.relinearize, kinds[i]));
     farthest = std::max(farthest, distance);
-    if (distance > scale) set_point(pool, slot, block);
+    if (distance > scale && !vertices_[pool][slot].is_pinned) set_point(pool, slot, block);
   }
   return farthest;
+}
+
+// ---- Marginalization ----
+
+std::vector<VertexRef> LiveProblem::followers(std::span<const VertexRef> leaving,
+                                              detail::FunctionRef<bool(VertexRef)> stays) const {
+  std::vector<VertexRef> result;
+  const auto leaves = [&](Index b) {
+    return std::find(leaving.begin(), leaving.end(), vertex_of_[b]) != leaving.end();
+  };
+  const auto for_each_neighbor = [&](Index b, auto&& f) {
+    for (const Index term : factor_.terms_of(b)) {
+      if (dynamic_cast<const MarginalPool*>(graph_.edge_pools()[edge_of_[term].pool].get()) != nullptr) continue;
+      for (const Index other : factor_.blocks_of(term)) {
+        if (other != b) f(other);
+      }
+    }
+  };
+  for (const VertexRef& vertex : leaving) {
+    if (block(vertex) == kNone) continue;
+    for_each_neighbor(block(vertex), [&](Index b) {
+      if (leaves(b) || stays(vertex_of_[b])) return;
+      bool is_needed = false;
+      for_each_neighbor(b, [&](Index other) { is_needed = is_needed || !leaves(other); });
+      if (!is_needed) result.push_back(vertex_of_[b]);
+    });
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+void LiveProblem::marginalize(std::span<const VertexRef> vertices) {
+  std::vector<Index> terms;
+  std::vector<VertexRef> others;
+  for (const VertexRef& vertex : vertices) {
+    for (const EdgeRef& edge : graph_.edges(vertex)) {
+      const EdgeEntry& entry = edges_[edge.pool][edge.slot];
+      if (entry.term != kNone && entry.generation == edge.generation) terms.push_back(entry.term);
+    }
+  }
+  std::sort(terms.begin(), terms.end());
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  for (const Index term : terms) {
+    for (const Index b : factor_.blocks_of(term)) {
+      if (std::find(vertices.begin(), vertices.end(), vertex_of_[b]) == vertices.end())
+        others.push_back(vertex_of_[b]);
+    }
+  }
+  std::vector<VertexRef> gone;  // without those that are held
+  std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(gone),
+               [&](VertexRef vertex) { return block(vertex) != kNone; });
+  DenseModel model;
+  model.set_vertices(graph_, gone, std::move(others));
+  const double* const values = factor_.values();
+  for (const Index term : terms) {
+    const auto blocks = factor_.blocks_of(term);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const Eigen::Index rows = factor_.dim(blocks[i]), row = model.first_of(vertex_of_[blocks[i]]);
+      model.b.segment(row, rows) += Eigen::Map<const Eigen::VectorXd>(values + factor_.gradient_of(term, i), rows);
+      for (std::size_t j = 0; j <= i; ++j) {
+        const Eigen::Index columns = factor_.dim(blocks[j]), column = model.first_of(vertex_of_[blocks[j]]);
+        const Eigen::Map<const Eigen::MatrixXd> part(values + factor_.block_of(term, i, j), rows, columns);
+        model.H.block(row, column, rows, columns) += part;
+        if (i != j) model.H.block(column, row, columns, rows) += part.transpose();
+      }
+    }
+  }
+  const DenseModel prior = eliminated(model, gone.size());
+  if (!prior.vertices.empty()) add_marginal_prior(graph_, prior, points_);
+  for (const VertexRef& vertex : prior.vertices) vertices_[vertex.pool][vertex.slot].is_pinned = true;
+  for (const VertexRef& vertex : vertices) graph_.remove(vertex);
 }
 
 }  // namespace boxplus

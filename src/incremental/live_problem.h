@@ -34,9 +34,12 @@ class LiveProblem {
   std::span<const detail::GaugeVertex> held() const { return held_; }
 
   bool has_queued_edges() const;
-  /// Linearizes the queued edges at the linearization points of their vertices. If the function throws, or
-  /// returns false because the token was raised, the estimates of the graph are unchanged.
-  bool linearize(const StopToken& stop, std::uint32_t& count);
+  enum class Linearized : std::uint8_t { kAll, kStopped, kNonFinite };
+  /// Linearizes the queued edges at the linearization points of their vertices, and adds their number to
+  /// `count`. The estimates of the graph are unchanged, also if the function throws. If the terms of an edge
+  /// are not finite, non_finite() is this edge.
+  Linearized linearize(const StopToken& stop, std::uint32_t& count);
+  EdgeRef non_finite() const { return non_finite_; }
   /// Sets the estimates of the listed blocks to θ ⊞ δ.
   void move(std::span<const Index> blocks);
   /// Begins a transaction: restore() sets all estimates that move() changes back to what they are now.
@@ -47,8 +50,23 @@ class LiveProblem {
   /// what the options allow.
   double relinearize(std::span<const Index> blocks, double scale);
 
+  /// The vertices that have got a block since the last call.
+  std::vector<VertexRef> take_new_vertices() { return std::exchange(new_vertices_, {}); }
+  /// The vertices that share an edge with `leaving`, and that `stays` does not name, nor any other vertex of
+  /// their edges. Priors of earlier calls of marginalize() do not count as edges.
+  std::vector<VertexRef> followers(std::span<const VertexRef> leaving,
+                                   detail::FunctionRef<bool(VertexRef)> stays) const;
+  /// Replaces vertices in the graph by a prior on their neighbors, with the linearization that the terms have.
+  /// The linearization points of these neighbors do not move any more, because the prior would contradict the
+  /// other edges in directions that no edge measures (Huang, Mourikis and Roumeliotis, "Observability-based
+  /// rules for designing consistent EKF SLAM estimators", IJRR 2010). The next apply() adapts the terms.
+  void marginalize(std::span<const VertexRef> vertices);
+
   IncrementalFactor& factor() { return factor_; }
   VertexRef vertex(Index block) const { return vertex_of_[block]; }
+  /// The block of a vertex, or kNone.
+  Index block(VertexRef vertex) const;
+  bool is_held(VertexRef vertex) const { return vertices_[vertex.pool][vertex.slot].is_held; }
   std::uint32_t block_count() const { return block_count_; }
   std::uint32_t term_count() const { return term_count_; }
   /// Whether an edge was added, since the last hold(), that may anchor a component which was free before.
@@ -59,7 +77,8 @@ class LiveProblem {
     std::uint32_t generation = 0;
     Index block = kNone;
     bool is_known = false, is_held = false;
-    bool moved = false;  // could move after the last change
+    bool moved = false;      // could move after the last change
+    bool is_pinned = false;  // its linearization point does not move
   };
   struct EdgeEntry {
     std::uint32_t generation = 0;
@@ -88,7 +107,7 @@ class LiveProblem {
   void queue(EdgeName name);
   void list_points();
   void swap_points();
-  bool linearize_pool(std::uint32_t pool, const StopToken& stop);
+  Linearized linearize_pool(std::uint32_t pool, const StopToken& stop);
   void place(const detail::EdgePool& pool, std::uint32_t edge, Index term);
   void clear_fixed(Index term);
   void reserve_memory(const detail::EdgePool& pool, std::span<const std::uint32_t> edges);
@@ -113,6 +132,7 @@ class LiveProblem {
   std::vector<std::uint64_t> moved_in_;  // per block: its last transaction
   std::uint64_t transaction_ = 0;
   std::vector<Index> maybe_unused_;
+  std::vector<VertexRef> new_vertices_;
   std::vector<EdgeRef> again_;                // edges whose vertices have changed
   std::vector<Index> blocks_, members_;       // of an edge; scratch memory
   std::vector<double> noticeable_;
@@ -121,6 +141,7 @@ class LiveProblem {
   std::unique_ptr<TileMemory> memory_;
   std::size_t memory_values_ = 0, memory_rows_ = 0, memory_dense_ = 0;
   Scatter scatter_;
+  EdgeRef non_finite_;
   std::uint32_t block_count_ = 0, term_count_ = 0;
   bool may_be_anchored_ = false;
 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/incremental/smoother.h"
 
+#include <Eigen/LU>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "boxplus/optimize/optimizer.h"
+#include "incremental/lag_window.h"
 #include "incremental/live_problem.h"
 #include "plan/plan.h"
 
@@ -39,6 +41,7 @@ class Smoother::Impl {
       problem_->restore();
       throw;
     }
+    if (!is_broken_) forget(report);
     const double scalars = problem_->factor().scalars();
     report.vertices = problem_->block_count();
     report.edges = problem_->term_count();
@@ -51,6 +54,64 @@ class Smoother::Impl {
     return report;
   }
 
+  Eigen::MatrixXd covariance(std::span<const VertexRef> vertices) {
+    if (!problem_ || is_broken_) throw InvalidArgument("Smoother: expected a successful update before");
+    std::vector<LiveProblem::Index> blocks;
+    std::vector<Eigen::Index> from;  // of each scalar of the result: its place among those of the blocks
+    Eigen::Index next = 0;
+    for (const VertexRef& vertex : vertices) {
+      const LiveProblem::Index block = problem_->block(vertex);
+      const int dim = graph_.tangent_dim(vertex);
+      if (block == LiveProblem::kNone && !graph_.is_fixed(vertex) && !problem_->is_held(vertex))
+        throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " has no edges");
+      for (int i = 0; i < dim; ++i) from.push_back(block == LiveProblem::kNone ? -1 : next++);
+      if (block != LiveProblem::kNone) blocks.push_back(block);
+    }
+    std::vector<double> values;
+    problem_->factor().covariance(blocks, values);
+    const Eigen::Map<const Eigen::MatrixXd> found(values.data(), next, next);
+    const auto size = static_cast<Eigen::Index>(from.size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
+    for (Eigen::Index j = 0; j < size; ++j) {
+      for (Eigen::Index i = 0; i < size; ++i) {
+        const Eigen::Index a = from[static_cast<std::size_t>(i)], b = from[static_cast<std::size_t>(j)];
+        if (a >= 0 && b >= 0) result(i, j) = found(a, b);
+      }
+    }
+    return result;
+  }
+
+  EdgePreview preview(EdgeRef edge) {
+    const std::vector<VertexRef> vertices = graph_.vertices(edge);
+    const Eigen::MatrixXd sigma = covariance(vertices);
+    const std::vector<Eigen::MatrixXd> blocks = graph_.jacobian(edge);
+    const std::vector<double> values = graph_.error(edge);
+    const Eigen::Map<const Eigen::VectorXd> e(values.data(), static_cast<Eigen::Index>(values.size()));
+    Eigen::MatrixXd J(e.size(), sigma.cols());
+    Eigen::Index column = 0;
+    for (const Eigen::MatrixXd& block : blocks) {
+      J.middleCols(column, block.cols()) = block;
+      column += block.cols();
+    }
+    const Eigen::MatrixXd omega = graph_.information(edge).matrix();
+    // (Ω⁻¹ + C)⁻¹ = (I + ΩC)⁻¹ Ω also exists if Ω is singular.
+    const Eigen::MatrixXd C = J * sigma * J.transpose();
+    const Eigen::VectorXd weighted =
+        (Eigen::MatrixXd::Identity(e.size(), e.size()) + omega * C).partialPivLu().solve(omega * e);
+    EdgePreview preview{e.dot(omega * e), e.dot(weighted), static_cast<int>(e.size()), {}};
+    const Eigen::VectorXd step = -sigma * J.transpose() * weighted;
+    column = 0;
+    for (const Eigen::MatrixXd& block : blocks) {
+      preview.steps.emplace_back(step.segment(column, block.cols()));
+      column += block.cols();
+    }
+    return preview;
+  }
+
+  void set_time(VertexRef vertex, double seconds) {
+    if (!graph_.contains(vertex)) throw InvalidArgument("Smoother: stale vertex handle");
+    window_.set_time(vertex, seconds);
+  }
   SmootherOptions& options() { return options_; }
 
  private:
@@ -78,7 +139,9 @@ class Smoother::Impl {
     double farthest = std::numeric_limits<double>::infinity();
     int growths = 0;
     for (;;) {
-      if (!problem_->linearize(flag, report.relinearized)) return end(report, Reason::kStopFlag);
+      const auto linearized = problem_->linearize(flag, report.relinearized);
+      if (linearized == LiveProblem::Linearized::kStopped) return end(report, Reason::kStopFlag);
+      if (linearized == LiveProblem::Linearized::kNonFinite) return fail_at_edge(report);
       const auto [status, lost, is_suspicious] = factor.factorize(flag, work_);
       if (status == LinearStatus::kStopped) return end(report, Reason::kStopFlag);
       const bool is_lost = status != LinearStatus::kOk;
@@ -99,9 +162,23 @@ class Smoother::Impl {
       farthest = distance;
       constexpr int kMostGrowths = 3;
       if (growths >= kMostGrowths || !std::isfinite(distance)) return start_over(report);
-      if (report.iterations >= options_.max_iterations) return end(report, Reason::kMaxIterations);
+      constexpr int kMostToFinish = 100;
+      if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations)) return end(report, Reason::kMaxIterations);
       if (limit.raised()) return end(report, flag.raised() ? Reason::kStopFlag : Reason::kTimeLimit);
     }
+  }
+
+  /// Marginalizes what has left the lag.
+  void forget(SmootherReport& report) {
+    for (const VertexRef& vertex : problem_->take_new_vertices()) window_.add(graph_, vertex);
+    std::vector<VertexRef> leaving = window_.take_leaving(graph_, options_.lag, options_.lag_s);
+    std::erase_if(leaving, [&](VertexRef vertex) { return graph_.is_fixed(vertex); });
+    if (leaving.empty()) return;
+    const auto stays = [&](VertexRef vertex) { return window_.contains(vertex); };
+    const std::vector<VertexRef> followers = problem_->followers(leaving, stays);
+    leaving.insert(leaving.end(), followers.begin(), followers.end());
+    problem_->marginalize(leaving);
+    report.marginalized = static_cast<std::uint32_t>(leaving.size());
   }
 
   /// Ends an update that the next one can continue.
@@ -136,15 +213,36 @@ class Smoother::Impl {
     problem_->restore();
   }
 
+  void fail_at_edge(SmootherReport& report) {
+    report.reason = SmootherReport::Reason::kNonFinite;
+    report.message = "the error or the Jacobian of an edge is not finite: edge of";
+    for (const VertexRef& vertex : graph_.vertices(problem_->non_finite()))
+      report.message += (report.message.ends_with("of") ? " vertex " : ", ") + std::to_string(graph_.id(vertex));
+    problem_->restore();
+  }
+
   Graph& graph_;
   std::shared_ptr<detail::LifeState> life_;
   SmootherOptions options_;
   detail::ChangeLog log_;
   std::unique_ptr<LiveProblem> problem_;
   FactorWork work_;  // of the current update
+  LagWindow window_;
   std::vector<LiveProblem::Index> solved_;
   bool is_broken_ = false;  // the next update begins anew
 };
+
+std::string_view to_string(SmootherReport::Reason reason) {
+  switch (reason) {
+    case SmootherReport::Reason::kConverged: return "converged";
+    case SmootherReport::Reason::kMaxIterations: return "maximum number of iterations";
+    case SmootherReport::Reason::kTimeLimit: return "time limit";
+    case SmootherReport::Reason::kStopFlag: return "stop flag";
+    case SmootherReport::Reason::kNonFinite: return "not finite";
+    case SmootherReport::Reason::kNotDetermined: return "not determined";
+  }
+  return "unknown";
+}
 
 Smoother::Smoother(Graph& graph, SmootherOptions options)
     : impl_(std::make_unique<Impl>(graph, std::move(options))) {}
@@ -158,6 +256,18 @@ SmootherReport Smoother::update() {
 
 SmootherReport Smoother::finish() {
   return impl_->update(true);
+}
+
+void Smoother::set_time(VertexRef vertex, double seconds) {
+  impl_->set_time(vertex, seconds);
+}
+
+Eigen::MatrixXd Smoother::covariance(std::span<const VertexRef> vertices) const {
+  return impl_->covariance(vertices);
+}
+
+EdgePreview Smoother::preview(EdgeRef edge) const {
+  return impl_->preview(edge);
 }
 
 const SmootherOptions& Smoother::options() const {

@@ -1,118 +1,215 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus replay FILE: gives the vertices of a file to a Smoother one by one.
+// boxplus replay FILE: optimizes a graph step by step, as a robot would.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "boxplus/base/error.h"
-#include "boxplus/incremental/smoother.h"
 #include "boxplus/optimize/optimizer.h"
 #include "command.h"
+#include "command_line/message.h"
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
-#include "guess/placement.h"
+#include "files/outputs.h"
+#include "replay/replay_run.h"
 
 namespace boxplus::app {
 namespace {
 
+constexpr const char* kReplayFooter =
+    "A step adds the vertex with the next id, and the edges between it and the vertices before it, and then\n"
+    "brings all estimates to the optimum (docs/live.md). A new pose begins where its first edge puts it.\n"
+    "After the last step, the estimates are brought to the optimum to the last digits.\n"
+    "\n"
+    "Examples:\n"
+    "  boxplus replay drive.g2o -o map.g2o\n"
+    "  boxplus replay drive.g2o --times times.csv --compare-every 100\n"
+    "  boxplus replay drive.g2o --json - | jq .time_s\n"
+    "\n"
+    "Exit codes: 0 converged; 1 the last step did not converge; 2 bad input or usage; 3 numerical failure.";
+
 struct ReplayArguments {
-  std::string input, output;
-  int check = 0;
+  std::string input, output, json, times;
+  int compare_every = 0;
+  bool quiet = false;
   SmootherOptions options;
   ReadOptions reading;
 };
 
-/// The edges of each step. A step adds a vertex, and the edges whose other vertices were there before.
-struct Steps {
-  std::vector<VertexRef> vertices;
-  std::vector<std::vector<EdgeRef>> edges;
+/// How far a step is from the optimum of the graph so far.
+struct Excess {
+  std::size_t step = 0;
+  double chi2 = 0, chi2_optimum = 0;
+  /// 0 if chi2 is as small as rounding makes it.
+  double relative() const {
+    constexpr double kRounding = 1e-15;
+    return chi2_optimum > kRounding ? chi2 / chi2_optimum - 1 : 0;
+  }
 };
 
-Steps steps_of(const Graph& graph) {
-  Steps steps{graph.all_vertices(), {}};
-  steps.edges.resize(steps.vertices.size());
-  std::vector<std::vector<std::size_t>> step_of(graph.vertex_pools().size());
-  for (std::size_t p = 0; p < step_of.size(); ++p) step_of[p].resize(graph.vertex_pools()[p]->slots());
-  for (std::size_t k = 0; k < steps.vertices.size(); ++k)
-    step_of[steps.vertices[k].pool][steps.vertices[k].slot] = k;
-  for (const EdgeRef& edge : graph.all_edges()) {
-    std::size_t last = 0;
-    for (const VertexRef& vertex : graph.vertices(edge)) last = std::max(last, step_of[vertex.pool][vertex.slot]);
-    steps.edges[last].push_back(edge);
-  }
-  return steps;
+Excess compare_with_batch(const Graph& graph, const Replay& replay) {
+  Graph copy = graph;
+  const Report batch = optimize(copy, {.start = Start::kCurrent, .threads = 1});
+  return {replay.done(), replay.chi2(), batch.chi2_final};
 }
 
-int replay(const ReplayArguments& arguments) {
-  GraphFile file = load_graph(arguments.input, arguments.reading);
-  Graph& graph = file.graph;
-  const Steps steps = steps_of(graph);
-  for (const EdgeRef& edge : graph.all_edges()) graph.set_level(edge, 1);
-  Placement placement(graph);
-  for (const VertexRef& vertex : steps.vertices) {
-    if (!graph.is_fixed(vertex)) placement.expect(vertex);
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The result of a replay.
+struct Outcome {
+  SmootherReport last;
+  double chi2 = 0, worst_s = 0, median_s = 0;
+  std::size_t worst_step = 0, failures = 0;
+  std::vector<Excess> excesses;
+  double largest_excess() const {
+    double largest = 0;
+    for (const Excess& excess : excesses) largest = std::max(largest, excess.relative());
+    return largest;
   }
-  Smoother smoother(graph, arguments.options);
-  std::vector<double> seconds;
-  double total = 0, flops = 0;
-  std::uint64_t relinearized = 0, ordered = 0, refactored = 0, moved = 0, iterations = 0;
-  for (std::size_t k = 0; k < steps.vertices.size(); ++k) {
-    for (const EdgeRef& edge : steps.edges[k]) {
-      graph.set_level(edge, 0);
-      placement.place_by(edge);
-    }
-    placement.keep(steps.vertices[k]);
-    const SmootherReport report = smoother.update();
-    seconds.push_back(report.time_s);
-    total += report.time_s;
-    flops += report.flops;
-    relinearized += report.relinearized;
-    ordered += report.ordered;
-    refactored += report.refactored;
-    moved += report.moved;
-    iterations += static_cast<std::uint64_t>(report.iterations);
-    if (!report.converged() && !report.message.empty()) fmt::print("step {}: {}\n", k, report.message);
-    if (arguments.check > 0 && k % static_cast<std::size_t>(arguments.check) == 99) {
-      double chi2 = 0;
-      Graph copy = graph;
-      for (const EdgeRef& edge : copy.all_edges()) {
-        if (copy.level(edge) == 0) chi2 += copy.chi2(edge);
-      }
-      const Report batch = optimize(copy, {.start = Start::kAutomatic, .threads = 1});
-      fmt::print("{} chi2 {:.9g} batch {:.9g} excess {:.2e}\n", k, chi2, batch.chi2_final,
-                 chi2 / batch.chi2_final - 1);
-    }
+};
+
+Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay) {
+  Outcome outcome;
+  while (replay.done() < replay.steps()) {
+    const SmootherReport report = replay.step();
+    if (!report.message.empty() && outcome.failures++ == 0)
+      print_message(fmt::format("step {}: {}", replay.done(), report.message));
+    const bool is_due = arguments.compare_every > 0 &&
+                        replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
+    if (is_due) outcome.excesses.push_back(compare_with_batch(graph, replay));
   }
-  total += smoother.finish().time_s;
-  const std::size_t worst = static_cast<std::size_t>(
-      std::max_element(seconds.begin(), seconds.end()) - seconds.begin());
-  const double worst_s = seconds[worst];
-  std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
-  fmt::print("chi2 {:.10g}, total {:.3f} s, worst {:.2f} ms (step {}), median {:.1f} us\n", graph.chi2(), total,
-             1e3 * worst_s, worst, 1e6 * seconds[seconds.size() / 2]);
-  fmt::print("iterations {}, relinearized edges {}, ordered {}, fronts {}, moved {}, Gflop {:.3f}\n", iterations,
-             relinearized, ordered, refactored, moved, 1e-9 * flops);
+  outcome.last = replay.finish();
+  outcome.chi2 = replay.chi2();
+  const std::vector<double>& seconds = replay.seconds();
+  if (seconds.empty()) return outcome;
+  const auto worst = std::max_element(seconds.begin(), seconds.end());
+  outcome.worst_s = *worst;
+  outcome.worst_step = static_cast<std::size_t>(worst - seconds.begin()) + 1;
+  outcome.median_s = median(seconds);
+  return outcome;
+}
+
+std::string json_of(const ReplayArguments& arguments, const Replay& replay, const Outcome& outcome) {
+  const Replay::Totals& totals = replay.totals();
+  nlohmann::ordered_json json{
+      {"file", arguments.input},
+      {"steps", replay.done()},
+      {"vertices", outcome.last.vertices},
+      {"edges", outcome.last.edges},
+      {"converged", outcome.last.converged()},
+      {"reason", to_string(outcome.last.reason)},
+      {"chi2_final", outcome.chi2},
+      {"iterations", totals.iterations},
+      {"relinearized_edges", totals.relinearized},
+      {"ordered_vertices", totals.ordered},
+      {"factorized_fronts", totals.refactored},
+      {"moved_vertices", totals.moved},
+      {"started_over", totals.started_over},
+      {"gflop", 1e-9 * totals.flops},
+      {"time_s", {{"total", totals.seconds}, {"worst", outcome.worst_s}, {"median", outcome.median_s}}}};
+  if (arguments.compare_every > 0) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Excess& excess : outcome.excesses)
+      list.push_back({{"step", excess.step}, {"chi2", excess.chi2}, {"chi2_optimum", excess.chi2_optimum}});
+    json["compared"] = list;
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string summary(const ReplayArguments& arguments, const Replay& replay, const Outcome& outcome) {
+  const Replay::Totals& totals = replay.totals();
+  std::string text = fmt::format(
+      "{} steps: {}, chi2 {:.9g}\n"
+      "time     {:.3f} s in total, {:.1f} us in the median, {:.2f} ms in the worst step ({})\n"
+      "work     {} iterations, {} linearized edges, {} fronts, {} moved vertices, {:.3f} Gflop\n",
+      replay.done(), outcome.last.converged() ? "converged" : to_string(outcome.last.reason), outcome.chi2,
+      totals.seconds, 1e6 * outcome.median_s, 1e3 * outcome.worst_s, outcome.worst_step, totals.iterations,
+      totals.relinearized, totals.refactored, totals.moved, 1e-9 * totals.flops);
+  if (arguments.compare_every > 0)
+    text += fmt::format("excess   chi2 is at most {:.2g} times above the optimum so far, in {} comparisons\n",
+                        outcome.largest_excess(), outcome.excesses.size());
+  return text;
+}
+
+std::string csv_of(const std::vector<double>& seconds) {
+  std::string text = "step,seconds\n";
+  for (std::size_t k = 0; k < seconds.size(); ++k) text += fmt::format("{},{:.9g}\n", k + 1, seconds[k]);
+  return text;
+}
+
+int replay_file(const ReplayArguments& arguments) {
+  const std::vector<Output> outputs{graph_output("--output", arguments.output, arguments.input),
+                                    {"--json", arguments.json},
+                                    {"--times", arguments.times}};
+  for (const Output& output : {outputs[1], outputs[2]}) refuse_to_replace(output, {arguments.input});
+  check_outputs(outputs);
+  GraphFile file = read_input(arguments.input, arguments.reading);
+  print_notes(file, arguments.input);
+  if (!arguments.output.empty()) require_representable(arguments.output, file);
+  Replay replay(file.graph, arguments.options);
+  const Outcome outcome = run(arguments, file.graph, replay);
+  if (!arguments.json.empty()) write_output(arguments.json, json_of(arguments, replay, outcome));
+  if (!arguments.times.empty()) write_output(arguments.times, csv_of(replay.seconds()));
   if (!arguments.output.empty()) save_graph(arguments.output, file);
-  return kSuccess;
+  if (!arguments.quiet) print_summary(outputs, summary(arguments, replay, outcome));
+  if (!outcome.last.message.empty()) return kNumericalFailure;
+  return outcome.last.converged() ? kSuccess : kNotConverged;
+}
+
+void add_options(CLI::App& command, ReplayArguments& arguments) {
+  command.add_option("FILE", arguments.input, "The graph, or - for standard input")->required()->check(file_name());
+  command.add_option("-o,--output", arguments.output, "Write the result to this file")->check(file_name());
+  command.add_option("--json", arguments.json, "Write a report to this file, or - for standard output")
+      ->check(file_name());
+  command.add_option("--times", arguments.times, "Write the time of each step to this CSV file")->check(file_name());
+  command
+      .add_option("--compare-every", arguments.compare_every,
+                  "Compare chi2 with that of a batch optimization after every so many steps")
+      ->type_name("STEPS")
+      ->check(whole_number_from(1));
+  SmootherOptions& options = arguments.options;
+  command
+      .add_option("--max-iterations", options.max_iterations,
+                  "The largest number of linearizations in a step; the next step goes on")
+      ->check(whole_number_from(1))
+      ->capture_default_str();
+  command
+      .add_option("--relinearize", options.relinearize.length,
+                  "Linearize a vertex anew when it has moved so many meters, or so many radians times 0.3")
+      ->type_name("METERS")
+      ->check(number_above(0))
+      ->capture_default_str();
+  command
+      .add_option("--noticeable", options.noticeable.length,
+                  "Do not pass on changes of a vertex below so many meters, and so many radians")
+      ->type_name("METERS")
+      ->check(number_above(0))
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", arguments.quiet, "Print no summary");
+  add_reading_options(command, arguments.reading);
+  command.footer(kReplayFooter);
 }
 
 }  // namespace
 
 void add_replay(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<ReplayArguments>();
   CLI::App& command = *app.add_subcommand("replay", "Optimize a graph step by step, as a robot would");
-  command.add_option("FILE", arguments->input, "The graph")->required();
-  command.add_option("-o,--output", arguments->output, "The result");
-  command.add_option("--check", arguments->check, "");
-  command.add_option("--iterations", arguments->options.max_iterations, "");
-  command.add_option("--relinearize-length", arguments->options.relinearize.length, "");
-  command.add_option("--relinearize-angle", arguments->options.relinearize.angle, "");
-  command.add_option("--noticeable-length", arguments->options.noticeable.length, "");
-  command.add_option("--noticeable-angle", arguments->options.noticeable.angle, "");
-  command.callback([arguments, &action] { action = [arguments] { return replay(*arguments); }; });
+  const auto arguments = std::make_shared<ReplayArguments>();
+  add_options(command, *arguments);
+  command.callback([arguments, &action] {
+    SmootherOptions& options = arguments->options;
+    options.relinearize.angle = options.relinearize.other = 0.3 * options.relinearize.length;
+    options.noticeable.angle = options.noticeable.other = options.noticeable.length;
+    action = [arguments] { return replay_file(*arguments); };
+  });
 }
 
 }  // namespace boxplus::app

@@ -52,6 +52,13 @@ class TypedVertexPool final : public VertexPool {
       values_[slots[k]] = Manifold<T>::oplus(base[slots[k]], delta + offsets[k]);
   }
 
+  void difference(std::uint32_t slot, const double* delta, const SavedEstimates& from, std::size_t k,
+                  double* out) const override {
+    const T& base = static_cast<const Saved&>(from).values[k];
+    if (delta == nullptr) return Manifold<T>::ominus(values_[slot], base, out);
+    Manifold<T>::ominus(Manifold<T>::oplus(values_[slot], delta), base, out);
+  }
+
   std::unique_ptr<VertexPool> make_store() const override { return std::make_unique<TypedVertexPool>(); }
   void copy_estimates(std::span<const std::uint32_t> slots, const VertexPool& from) override {
     for (const std::uint32_t slot : slots) {

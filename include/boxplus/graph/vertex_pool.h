@@ -84,6 +84,9 @@ class VertexPool {
              const double* delta) {
     set_to_sum(slots, *this, offsets, delta);
   }
+  /// (x ⊞ δ) ⊟ y, where x is the estimate in `slot`, and y is the k-th estimate of `from`. A null δ is zero.
+  virtual void difference(std::uint32_t slot, const double* delta, const SavedEstimates& from, std::size_t k,
+                          double* out) const = 0;
   /// An empty pool of the same type. It can keep other estimates of the same vertices, in the same slots.
   virtual std::unique_ptr<VertexPool> make_store() const = 0;
   /// Copies (swaps) the listed estimates from (with) the same slots of a pool of the same type.

@@ -4,11 +4,15 @@
 
 #include <atomic>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "boxplus/base/matrix.h"
 #include "boxplus/gauge/gauge.h"
 #include "boxplus/graph/graph.h"
 
@@ -32,6 +36,14 @@ struct SmootherOptions {
   double time_limit_s = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop = nullptr;  ///< stops when this flag becomes true; may be null
   bool numeric_jacobians = false;           ///< differentiate every edge numerically
+
+  /// A fixed lag: after each update, the oldest vertices are marginalized, so that at most `lag` of the
+  /// vertices with times remain, and none that is more than `lag_s` older than the newest one. All poses have
+  /// times; Smoother::set_time() sets those of any vertices. Every other vertex, such as a landmark or a
+  /// velocity, leaves with the last vertex that shares an edge with it. Time and memory per update are then
+  /// constant. Vertices in the prior keep their linearization points, so that the estimates are consistent.
+  std::size_t lag = std::numeric_limits<std::size_t>::max();
+  double lag_s = std::numeric_limits<double>::infinity();
 };
 
 /// What an update did.
@@ -41,10 +53,11 @@ struct SmootherReport {
     kMaxIterations,   ///< the next update goes on
     kTimeLimit,       ///< the next update goes on
     kStopFlag,        ///< the next update goes on
+    kNonFinite,       ///< an error or a Jacobian is not finite; the estimates are unchanged
     kNotDetermined,   ///< the edges do not determine the vertex `vertex`; the estimates are unchanged
   };
   Reason reason = Reason::kConverged;
-  std::string message;  ///< names the vertex if the reason is kNotDetermined; empty if all is well
+  std::string message;  ///< names the vertices of a failure; otherwise empty
   int iterations = 0;
   std::uint32_t vertices = 0;      ///< vertices that can move
   std::uint32_t edges = 0;         ///< edges that take part
@@ -52,12 +65,23 @@ struct SmootherReport {
   std::uint32_t ordered = 0;       ///< vertices that were ordered anew
   std::uint32_t refactored = 0;    ///< fronts of the factor that were computed
   double refactored_share = 0;     ///< the share of the unknowns in these fronts
+  std::uint32_t marginalized = 0;  ///< vertices that left the lag
   std::uint32_t moved = 0;         ///< estimates that were computed
   double flops = 0;                ///< the operations of the factorizations
   bool started_over = false;       ///< the steps diverged, and optimize() ran over the whole graph
   double time_s = 0;
   std::vector<detail::GaugeVertex> held;  ///< vertices that are held because nothing fixes their components
   bool converged() const { return reason == Reason::kConverged; }
+};
+
+std::string_view to_string(SmootherReport::Reason reason);
+
+/// What an edge would cost and change, predicted from the linear model.
+struct EdgePreview {
+  double chi2 = 0;           ///< eᵀΩe at the current estimates
+  double chi2_increase = 0;  ///< of the minimum of chi2: eᵀ(Ω⁻¹ + JΣJᵀ)⁻¹e, the squared Mahalanobis distance
+  int rows = 0;              ///< if the edge is right, chi2_increase has the χ² distribution of so many rows
+  std::vector<Eigen::VectorXd> steps;  ///< by how much each of its vertices would move
 };
 
 /// Keeps a graph at its optimum while it changes. After any edits of the graph, update() brings its estimates
@@ -91,6 +115,21 @@ class Smoother {
   /// Like update(), but computes all vertices, and linearizes anew until the estimates are at the optimum to
   /// the last digits, as optimize() does. Takes a few iterations over the whole graph.
   SmootherReport finish();
+  /// Sets the time of a vertex, for SmootherOptions::lag. Without a time, a pose has the time of the newest
+  /// vertex with a time when its first update begins.
+  void set_time(VertexRef vertex, double seconds);
+  /// The joint covariance of a few vertices, as of the last update: the part of H⁻¹ that belongs to their
+  /// tangents, in the given order. It comes from the live factor, without a new factorization; for the newest
+  /// vertices it takes microseconds. Fixed and held vertices have zeros. Throws InvalidArgument if a vertex
+  /// takes no part, or if the last update failed.
+  Eigen::MatrixXd covariance(std::span<const VertexRef> vertices) const;
+  Eigen::MatrixXd covariance(std::initializer_list<VertexRef> vertices) const {
+    return covariance(std::span(vertices.begin(), vertices.size()));
+  }
+  /// What an edge would cost and change, without any effect. Add the edge and disable it (Graph::set_enabled),
+  /// look, and then enable or remove it. Its vertices must have other edges. The kernel does not count. Throws
+  /// InvalidArgument as covariance() does.
+  EdgePreview preview(EdgeRef edge) const;
   const SmootherOptions& options() const;
   void set_options(const SmootherOptions& options);
 

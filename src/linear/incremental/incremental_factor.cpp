@@ -131,6 +131,12 @@ std::uint32_t IncrementalFactor::block_of(Index t, std::size_t i, std::size_t j)
   return offset;
 }
 
+Index IncrementalFactor::root_of(Index block) const {
+  Index f = blocks_[block].front;
+  while (f != kNone && fronts_[f].parent != kNone) f = fronts_[f].parent;
+  return f;
+}
+
 void IncrementalFactor::hold_scalars(Index block, std::span<const int> scalars) {
   blocks_[block].held.assign(scalars.begin(), scalars.end());
 }

@@ -48,11 +48,17 @@ class IncrementalFactor {
   /// (i, j), j ≤ i, in the order (0,0) (1,0) (1,1) (2,0) …, column-major. The diagonal blocks hold both of
   /// their triangles. Valid until add_term().
   double* values() { return values_.data(); }
+  std::span<const double> values_of(Index term) const {
+    return std::span(values_).subspan(terms_[term].values, terms_[term].size);
+  }
   /// The places of a term's parts among the values: of the gradient of its i-th block, and of block (i, j).
   std::uint32_t gradient_of(Index term, std::size_t i) const;
   std::uint32_t block_of(Index term, std::size_t i, std::size_t j) const;
   std::span<const Index> blocks_of(Index term) const { return terms_[term].blocks; }
   std::span<const Index> terms_of(Index block) const { return blocks_[block].terms; }
+  /// The root of the block's tree, or kNone before the block is factorized. The number changes when the root
+  /// is built anew.
+  Index root_of(Index block) const;
   std::uint32_t dim(Index block) const { return blocks_[block].dim; }
   /// Scalars of x that are held at zero. The caller must clear their rows and columns in all terms.
   void hold_scalars(Index block, std::span<const int> scalars);
@@ -79,6 +85,11 @@ class IncrementalFactor {
   /// Says that the unknowns of this block are now relative to x: x becomes zero. The terms of the block must
   /// change before the next factorize().
   void reset_x(Index block);
+
+  /// The part of H⁻¹ that belongs to the listed blocks, in this order; column-major. Visits the fronts between
+  /// the blocks and the roots (Kaess and Dellaert, "Covariance recovery from a square root information matrix
+  /// for data association", RAS 2009). The factor must be up to date.
+  void covariance(std::span<const Index> blocks, std::vector<double>& out);
 
   /// The number of values in the panels of all fronts, and of scalars.
   std::uint64_t panel_values() const { return panel_values_; }
@@ -161,7 +172,7 @@ class IncrementalFactor {
   std::uint32_t marks_ = 0;
   std::vector<std::uint32_t> local_;         // of each block, in the top or in a front
   std::vector<std::uint64_t> noticed_pass_;  // of each block: the solve() in which its change was noticed
-  std::vector<double> work_, minimum_pivot_, permuted_;
+  std::vector<double> work_, minimum_pivot_, permuted_, columns_;
   std::vector<Index> stack_;
 };
 

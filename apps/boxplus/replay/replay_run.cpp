@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "replay/replay_run.h"
+
+#include <algorithm>
+
+namespace boxplus::app {
+
+Replay::Replay(Graph& graph, const SmootherOptions& options)
+    : graph_(graph), vertices_(graph.all_vertices()), edges_(vertices_.size()), placement_(graph), smoother_(graph, options) {
+  std::vector<std::vector<std::size_t>> step_of(graph.vertex_pools().size());
+  for (std::size_t p = 0; p < step_of.size(); ++p) step_of[p].resize(graph.vertex_pools()[p]->slots(), 0);
+  for (std::size_t k = 0; k < vertices_.size(); ++k) step_of[vertices_[k].pool][vertices_[k].slot] = k;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (graph.level(edge) != 0) continue;
+    std::size_t last = 0;  // parameters are there from the beginning
+    for (const VertexRef& vertex : graph.vertices(edge)) last = std::max(last, step_of[vertex.pool][vertex.slot]);
+    if (!edges_.empty()) edges_[last].push_back(edge);
+    graph.set_level(edge, 1);
+  }
+  for (const VertexRef& vertex : vertices_) {
+    if (!graph.is_fixed(vertex)) placement_.expect(vertex);
+  }
+}
+
+SmootherReport Replay::step() {
+  const std::size_t k = done();
+  for (const EdgeRef& edge : edges_[k]) {
+    graph_.set_level(edge, 0);
+    placement_.place_by(edge);
+  }
+  placement_.keep(vertices_[k]);
+  const SmootherReport report = count(smoother_.update());
+  seconds_.push_back(report.time_s);
+  return report;
+}
+
+SmootherReport Replay::finish() {
+  return count(smoother_.finish());
+}
+
+SmootherReport Replay::count(const SmootherReport& report) {
+  totals_.seconds += report.time_s;
+  totals_.flops += report.flops;
+  totals_.iterations += static_cast<std::uint64_t>(report.iterations);
+  totals_.relinearized += report.relinearized;
+  totals_.ordered += report.ordered;
+  totals_.refactored += report.refactored;
+  totals_.moved += report.moved;
+  totals_.started_over += report.started_over ? 1 : 0;
+  return report;
+}
+
+double Replay::chi2() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < done(); ++k) {
+    for (const EdgeRef& edge : edges_[k]) {
+      if (!graph_.is_enabled(edge)) continue;
+      const RobustKernel* const kernel = graph_.kernel(edge);
+      const double e2 = graph_.chi2(edge);
+      sum += kernel != nullptr ? (*kernel)(e2).value : e2;
+    }
+  }
+  return sum;
+}
+
+}  // namespace boxplus::app

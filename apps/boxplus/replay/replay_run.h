@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gives the vertices of a graph to a Smoother one by one, as a robot would.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/incremental/smoother.h"
+#include "guess/placement.h"
+
+namespace boxplus::app {
+
+/// Step k adds the vertex with the k-th lowest id, and the edges between it and vertices before it. Until
+/// then, an edge has level 1, so that it takes no part. A new pose or point begins where its first edge puts
+/// it; the estimates of the file do not count, except those of fixed vertices.
+class Replay {
+ public:
+  /// `graph` must outlive this object.
+  Replay(Graph& graph, const SmootherOptions& options);
+
+  std::size_t steps() const { return vertices_.size(); }
+  std::size_t done() const { return seconds_.size(); }
+  /// Does the next step.
+  SmootherReport step();
+  /// Brings the estimates to the optimum to the last digits.
+  SmootherReport finish();
+  Smoother& smoother() { return smoother_; }
+  /// The time of each update, in seconds.
+  const std::vector<double>& seconds() const { return seconds_; }
+  /// chi2 of the edges that take part now.
+  double chi2() const;
+
+  /// The sums over all updates.
+  struct Totals {
+    double seconds = 0, flops = 0;
+    std::uint64_t iterations = 0, relinearized = 0, ordered = 0, refactored = 0, moved = 0;
+    std::uint32_t started_over = 0;
+  };
+  const Totals& totals() const { return totals_; }
+
+ private:
+  SmootherReport count(const SmootherReport& report);
+
+  Graph& graph_;
+  std::vector<VertexRef> vertices_;
+  std::vector<std::vector<EdgeRef>> edges_;  // of each step
+  Placement placement_;
+  Smoother smoother_;
+  std::vector<double> seconds_;
+  Totals totals_;
+};
+
+}  // namespace boxplus::app

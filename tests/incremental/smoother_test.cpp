@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/incremental/smoother.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "boxplus/optimize/optimizer.h"
+#include "boxplus/robust/huber.h"
+#include "boxplus/testing/simulate.h"
+#include "boxplus/types/slam2d.h"
+#include "boxplus/types/slam3d.h"
+
+namespace boxplus {
+namespace {
+
+/// The largest difference between the estimates of a graph and those of an optimized copy.
+double distance_from_batch(const Graph& graph) {
+  Graph copy = graph;
+  Options options{.threads = 1};
+  options.noise_tolerance = 0;
+  EXPECT_TRUE(optimize(copy, options).converged());
+  double largest = 0;
+  for (const VertexRef& vertex : graph.all_vertices()) {
+    detail::Frame mine, batch;
+    graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, mine);
+    copy.vertex_pools()[vertex.pool]->get_frame(vertex.slot, batch);
+    for (std::size_t i = 0; i < 3; ++i)
+      largest = std::max(largest, std::abs(mine.translation[i] - batch.translation[i]));
+    for (std::size_t i = 0; i < 9; ++i) largest = std::max(largest, std::abs(mine.rotation[i] - batch.rotation[i]));
+  }
+  return largest;
+}
+
+/// A robot that drives in a circle and measures its motion and, now and then, an old pose. `random` also draws
+/// edits of the graph.
+class Drive {
+ public:
+  explicit Drive(unsigned seed) : random_(seed) { poses_.push_back(graph.add_vertex(SE2())); truth_.push_back(SE2()); }
+
+  void step() {
+    const SE2 motion(1, 0, 0.3);
+    truth_.push_back(truth_.back() * motion);
+    const SE2 measured = noisy(motion);
+    poses_.push_back(graph.add_vertex(graph.estimate(poses_.back()) * measured));
+    add_edge(poses_.size() - 2, poses_.size() - 1, measured);
+    if (chance(0.3)) close(poses_.size() - 1, pick(poses_.size() - 1));
+  }
+
+  void close(std::size_t a, std::size_t b) {
+    if (a != b) add_edge(a, b, noisy(truth_[a].inverse() * truth_[b]));
+  }
+
+  /// One random edit that may cut the graph apart, but leaves no vertex without an edge.
+  void edit() {
+    const std::size_t v = pick(poses_.size());
+    const auto e = edges_[pick(edges_.size())];
+    switch (pick(9)) {
+      case 0: close(v, pick(poses_.size())); break;
+      case 1: graph.set_information(e, 0.5 + static_cast<double>(pick(100))); break;
+      case 2: graph.set_estimate(poses_[v], graph.estimate(poses_[v]) * SE2(0.2, -0.1, 0.05)); break;
+      case 3: graph.set_fixed(poses_[v], !graph.is_fixed(poses_[v]) && chance(0.3)); break;
+      case 4: graph.set_enabled(e, true); break;
+      case 5: graph.set_measurement(e, Between(noisy(graph.measurement(e).measurement))); break;
+      case 6: graph.set_kernel(e, chance(0.5) ? std::make_shared<Huber>(3.0) : nullptr); break;
+      case 7: remove_edge(); break;
+      default: graph.fix_directions(poses_[v], chance(0.2) ? std::vector<int>{2} : std::vector<int>{}); break;
+    }
+  }
+
+  /// Removes a random edge between poses that are not consecutive.
+  void remove_edge() {
+    const std::size_t k = pick(edges_.size());
+    const auto ends = graph.vertices(edges_[k]);
+    if (std::abs(graph.id(ends[0]) - graph.id(ends[1])) <= 1) return;
+    graph.remove(edges_[k]);
+    edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+
+  std::size_t pick(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+  bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
+  const std::vector<VertexHandle<SE2>>& poses() const { return poses_; }
+
+  Graph graph;
+
+ private:
+  SE2 noisy(const SE2& motion) {
+    std::normal_distribution<> noise(0, 0.01);
+    return motion * SE2(noise(random_), noise(random_), noise(random_));
+  }
+  void add_edge(std::size_t a, std::size_t b, const SE2& measured) {
+    edges_.push_back(graph.add_edge(Between(measured), 1e4, poses_[a], poses_[b]));
+  }
+
+  std::mt19937 random_;
+  std::vector<VertexHandle<SE2>> poses_;
+  std::vector<SE2> truth_;
+  std::vector<EdgeHandle<Between<SE2>>> edges_;
+};
+
+TEST(Smoother, IsAtTheOptimumAfterEachStep) {
+  Drive drive(1);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 120; ++k) {
+    drive.step();
+    const SmootherReport report = smoother.update();
+    ASSERT_TRUE(report.converged()) << report.message;
+    ASSERT_LT(distance_from_batch(drive.graph), 0.01) << k;
+  }
+}
+
+TEST(Smoother, FinishesAtTheSameEstimatesAsABatchAfterRandomEdits) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    Drive drive(seed);
+    Smoother smoother(drive.graph);
+    for (int k = 0; k < 100; ++k) {
+      drive.step();
+      for (std::size_t edits = drive.pick(3); edits-- > 0;) drive.edit();
+      const SmootherReport report = k % 10 == 9 ? smoother.finish() : smoother.update();
+      ASSERT_TRUE(report.converged()) << report.message << ", seed " << seed << ", step " << k;
+      if (k % 10 == 9) {
+        ASSERT_LT(distance_from_batch(drive.graph), 1e-6) << "seed " << seed << ", step " << k;
+      }
+    }
+  }
+}
+
+TEST(Smoother, TouchesOnlyTheNewestPosesIfNoLoopIsClosed) {
+  Graph graph;
+  Smoother smoother(graph);
+  auto last = graph.add_vertex(SE3());
+  SmootherReport report;
+  for (int k = 0; k < 300; ++k) {
+    const auto next = graph.add_vertex(graph.estimate(last) * SE3(Eigen::Vector3d(1, 0, 0), SO3()));
+    graph.add_edge(Between(SE3(Eigen::Vector3d(1, 0, 0), SO3())), 1.0, last, next);
+    last = next;
+    report = smoother.update();
+  }
+  EXPECT_EQ(report.vertices, 300u);
+  EXPECT_LE(report.refactored, 2u);
+  EXPECT_LE(report.ordered, 20u);
+  EXPECT_LE(report.moved, 20u);
+  EXPECT_EQ(report.held.size(), 1u);
+}
+
+TEST(Smoother, HoldsTheFirstVertexUntilSomethingAnchorsTheGraph) {
+  Drive drive(2);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 20; ++k) drive.step();
+  SmootherReport report = smoother.update();
+  ASSERT_EQ(report.held.size(), 1u);
+  EXPECT_EQ(report.held[0].vertex, drive.poses()[0]);
+  drive.graph.add_edge(Prior(SE2(5, 6, 0.7)), 1e6, drive.poses()[7]);
+  report = smoother.finish();
+  EXPECT_TRUE(report.held.empty());
+  EXPECT_NEAR(drive.graph.estimate(drive.poses()[7]).translation()[0], 5, 1e-3);
+  EXPECT_LT(distance_from_batch(drive.graph), 1e-6);
+}
+
+TEST(Smoother, HoldsAVertexOfEachPartIfTheGraphIsCutApartAndReleasesItWhenItIsJoined) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
+  std::vector<EdgeHandle<Between<SE2>>> edges;
+  for (int k = 1; k < 400; ++k) {
+    poses.push_back(graph.add_vertex(SE2(k, 0.01 * k, 0)));
+    edges.push_back(graph.add_edge(Between(SE2(1, 0.001, 0.002)), 100.0, poses[poses.size() - 2], poses.back()));
+  }
+  Smoother smoother(graph);
+  EXPECT_EQ(smoother.update().held.size(), 1u);
+  graph.remove(edges[200]);
+  SmootherReport report = smoother.finish();
+  EXPECT_TRUE(report.converged()) << report.message;
+  EXPECT_EQ(report.held.size(), 2u);
+  EXPECT_LT(distance_from_batch(graph), 1e-6);
+  graph.add_edge(Between(SE2(1, 0, 0.1)), 100.0, poses[200], poses[201]);
+  report = smoother.finish();
+  EXPECT_EQ(report.held.size(), 1u);
+  EXPECT_LT(distance_from_batch(graph), 1e-6);
+}
+
+TEST(Smoother, RemovesVerticesAndTakesVerticesThatReuseTheirSlots) {
+  Drive drive(3);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 30; ++k) drive.step();
+  smoother.update();
+  Graph& graph = drive.graph;
+  graph.remove(drive.poses().back());
+  const auto before = drive.poses()[drive.poses().size() - 2];
+  const auto fresh = graph.add_vertex(graph.estimate(before) * SE2(2, 0, 0));
+  graph.add_edge(Between(SE2(2, 0.1, 0)), 1.0, before, fresh);
+  EXPECT_TRUE(smoother.finish().converged());
+  EXPECT_LT(distance_from_batch(graph), 1e-6);
+}
+
+TEST(Smoother, LeavesTheEstimatesAsTheyWereIfAVertexIsNotDetermined) {
+  Graph graph;
+  const auto pose = graph.add_vertex(SE2());
+  graph.fix(pose);
+  const auto point = graph.add_vertex(Vector2(1, 2)), other = graph.add_vertex(Vector2(3, 4));
+  graph.add_edge(PointObservation2(Vector2(1, 2.5)), 1.0, pose, point);
+  const auto weightless = graph.add_edge(PointObservation2(Vector2(0, 0)), 0.0, pose, other);
+  Smoother smoother(graph);
+  const SmootherReport report = smoother.update();
+  EXPECT_EQ(report.reason, SmootherReport::Reason::kNotDetermined);
+  EXPECT_NE(report.message.find("vertex 2"), std::string::npos) << report.message;
+  EXPECT_EQ(graph.estimate(point), Vector2(1, 2));
+  EXPECT_EQ(graph.estimate(other), Vector2(3, 4));
+  graph.set_information(weightless, 1.0);
+  EXPECT_TRUE(smoother.update().converged());
+  EXPECT_NEAR(graph.estimate(point)[1], 2.5, 1e-9);
+  EXPECT_NEAR(graph.estimate(other)[1], 0, 1e-9);
+}
+
+struct Failing {
+  bool* fails;
+  Vector<double, 1> error(const SE2& x) const {
+    if (*fails) throw std::runtime_error("the sensor failed");
+    return Vector<double, 1>(x.translation()[0] - 3);
+  }
+};
+
+TEST(Smoother, WorksAgainAfterAnErrorFunctionHasThrown) {
+  Drive drive(4);
+  drive.graph.fix(drive.poses()[0]);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 20; ++k) drive.step();
+  smoother.finish();
+  bool fails = true;
+  drive.graph.add_edge(Failing{&fails}, 1.0, drive.poses()[9]);
+  const Graph before = drive.graph;
+  for (int k = 0; k < 3; ++k) EXPECT_THROW(smoother.update(), std::runtime_error);
+  for (const auto& pose : drive.poses())
+    EXPECT_EQ(before.estimate(pose).translation(), drive.graph.estimate(pose).translation());
+  fails = false;
+  EXPECT_TRUE(smoother.finish().converged());
+  EXPECT_LT(distance_from_batch(drive.graph), 1e-6);
+}
+
+TEST(Smoother, LeavesTheEstimatesAsTheyWereIfAnErrorIsNotFinite) {
+  Drive drive(5);
+  drive.graph.fix(drive.poses()[0]);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 20; ++k) drive.step();
+  smoother.finish();
+  const auto bad = drive.graph.add_edge(Between(SE2(std::numeric_limits<double>::quiet_NaN(), 0, 0)), 1.0,
+                                        drive.poses()[3], drive.poses()[9]);
+  const Graph before = drive.graph;
+  const SmootherReport report = smoother.update();
+  EXPECT_EQ(report.reason, SmootherReport::Reason::kNonFinite);
+  EXPECT_NE(report.message.find("vertex 3"), std::string::npos) << report.message;
+  for (const auto& pose : drive.poses())
+    EXPECT_EQ(before.estimate(pose).translation(), drive.graph.estimate(pose).translation());
+  drive.graph.remove(bad);
+  EXPECT_TRUE(smoother.finish().converged());
+}
+
+TEST(Smoother, StartsOverIfStepsDiverge) {
+  Simulation world = simulate(World::kSphere, {.poses = 300});
+  Graph& graph = world.graph;
+  for (const VertexRef& vertex : graph.all_vertices()) {
+    if (!graph.is_fixed(vertex)) graph.set_estimate(graph.typed<SE3>(vertex), SE3());
+  }
+  Smoother smoother(graph);
+  const SmootherReport report = smoother.finish();
+  EXPECT_TRUE(report.converged()) << report.message;
+  Graph truth = world.truth;
+  EXPECT_TRUE(optimize(truth).converged());
+  EXPECT_NEAR(graph.chi2(), truth.chi2(), 1e-6 * truth.chi2());
+}
+
+TEST(Smoother, GoesOnInTheNextUpdateAfterALimit) {
+  const Simulation world = simulate(World::kManhattan, {.poses = 400});
+  Graph graph = world.graph;
+  Smoother smoother(graph, {.relinearize = {1e-3, 1e-3, 1e-3}, .max_iterations = 1});
+  SmootherReport report = smoother.update();
+  EXPECT_EQ(report.reason, SmootherReport::Reason::kMaxIterations);
+  int updates = 1;
+  for (; !report.converged() && updates < 30; ++updates) {
+    report = smoother.update();
+    EXPECT_EQ(report.iterations, 1);
+  }
+  EXPECT_TRUE(report.converged());
+  EXPECT_GT(updates, 2);
+  smoother.finish();
+  EXPECT_LT(distance_from_batch(graph), 1e-6);
+}
+
+TEST(Smoother, ReadsTheGraphAgainIfAnotherAlgorithmHasMovedIt) {
+  Drive drive(6);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 30; ++k) drive.step();
+  smoother.update();
+  EXPECT_TRUE(optimize(drive.graph).converged());
+  drive.graph.push();
+  drive.step();
+  smoother.update();
+  drive.graph.pop();
+  drive.step();
+  EXPECT_TRUE(smoother.finish().converged());
+  EXPECT_LT(distance_from_batch(drive.graph), 1e-6);
+}
+
+TEST(Smoother, RefusesASecondSmootherAndAGraphThatIsGone) {
+  auto graph = std::make_unique<Graph>();
+  Smoother smoother(*graph);
+  EXPECT_THROW(Smoother{*graph}, InvalidArgument);
+  Smoother moved = std::move(smoother);
+  EXPECT_NO_THROW(moved.update());
+  graph.reset();
+  EXPECT_THROW(moved.update(), InvalidArgument);
+  Graph other;
+  { const Smoother first(other); }
+  EXPECT_NO_THROW(Smoother{other});
+}
+
+TEST(Smoother, FollowsAGraphThatIsCleared) {
+  Drive drive(7);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 10; ++k) drive.step();
+  smoother.update();
+  drive.graph.clear();
+  EXPECT_EQ(smoother.update().vertices, 0u);
+  const auto a = drive.graph.add_vertex(SE2()), b = drive.graph.add_vertex(SE2());
+  drive.graph.add_edge(Between(SE2(1, 0, 0)), 1.0, a, b);
+  smoother.update();
+  EXPECT_NEAR(drive.graph.estimate(b).translation()[0], 1, 1e-9);
+}
+
+TEST(Smoother, HasTheSameJointCovariancesAsABatch) {
+  Drive drive(8);
+  drive.graph.fix(drive.poses()[0]);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 60; ++k) {
+    drive.step();
+    smoother.update();
+  }
+  smoother.finish();
+  const auto& poses = drive.poses();
+  const std::vector<VertexRef> some{poses[7], poses.back(), poses[31]};
+  const Eigen::MatrixXd joint = smoother.covariance(some);
+  Optimizer batch(drive.graph);
+  EXPECT_TRUE(batch.run().converged());
+  const Covariance expected = batch.covariance(some);
+  for (std::size_t a = 0; a < some.size(); ++a) {
+    for (std::size_t b = 0; b < some.size(); ++b) {
+      const auto i = static_cast<Eigen::Index>(3 * a), j = static_cast<Eigen::Index>(3 * b);
+      EXPECT_LT((joint.block(i, j, 3, 3) - expected.of(some[a], some[b])).cwiseAbs().maxCoeff(),
+                1e-6 * joint.cwiseAbs().maxCoeff());
+    }
+  }
+  EXPECT_TRUE(smoother.covariance({poses[0]}).isZero());
+}
+
+TEST(Smoother, PredictsWhatAnEdgeCostsAndChanges) {
+  Drive drive(9);
+  drive.graph.fix(drive.poses()[0]);
+  Smoother smoother(drive.graph);
+  for (int k = 0; k < 40; ++k) drive.step();
+  smoother.finish();
+  Graph& graph = drive.graph;
+  const auto a = drive.poses()[5], b = drive.poses()[25];
+  const SE2 seen = graph.estimate(a).inverse() * graph.estimate(b) * SE2(0.05, -0.03, 0.01);
+  const double before = graph.chi2();
+  const auto edge = graph.add_edge(Between(seen), 2000.0, a, b);
+  graph.set_enabled(edge, false);
+  smoother.finish();
+  const EdgePreview preview = smoother.preview(edge);
+  EXPECT_NEAR(graph.chi2(), before, 1e-9 * before);
+  const SE2 estimate = graph.estimate(b);
+  graph.set_enabled(edge, true);
+  smoother.finish();
+  EXPECT_GT(preview.chi2, preview.chi2_increase);
+  EXPECT_NEAR(graph.chi2() - before, preview.chi2_increase, 0.02 * preview.chi2_increase);
+  const SE2 moved = estimate.inverse() * graph.estimate(b);
+  EXPECT_NEAR(moved.translation()[0], preview.steps[1][0], 1e-3);
+  EXPECT_NEAR(moved.translation()[1], preview.steps[1][1], 1e-3);
+}
+
+}  // namespace
+}  // namespace boxplus
