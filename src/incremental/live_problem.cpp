@@ -38,8 +38,8 @@ std::array<bool, 2> differ(const detail::Frame& a, const detail::Frame& b, doubl
 
 }  // namespace
 
-LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options)
-    : graph_(graph), options_(options), linearizer_(graph) {
+LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options, const std::set<EdgeRef>& aside)
+    : graph_(graph), options_(options), aside_(aside), linearizer_(graph) {
   detail::ChangeLog all;
   for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
     const detail::VertexPool& pool = *graph.vertex_pools()[p];
@@ -169,20 +169,32 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
   entry.moved = moves;
 }
 
+void LiveProblem::apply_verdict(EdgeRef edge) {
+  if (aside_.contains(edge) && edges_[edge.pool][edge.slot].term != kNone)
+    return remove_term({edge.pool, edge.slot});
+  apply_edge(edge);
+}
+
 /// Makes a term for the edge if it takes part, or queues the edge if it has a term.
 void LiveProblem::apply_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term != kNone) return queue({edge.pool, edge.slot});
   if (!pool.alive(edge.slot) || pool.level(edge.slot) != 0) return;
+  if (!aside_.empty() && aside_.contains({edge.pool, edge.slot, pool.generation(edge.slot)})) return;
   if (const_cast<detail::EdgePool&>(pool).shift(edge.slot) != nullptr)
     throw InvalidArgument("Smoother: expected edges without constraints; use optimize()");
   blocks_.clear();
   const auto slots = pool.vertex_slots(edge.slot);
+  bool is_closure = slots.size() > 1;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t vertex_pool = pool.vertex_pool(edge.slot, static_cast<int>(i));
-    if (can_move(vertex_pool, slots[i])) blocks_.push_back(require_block(vertex_pool, slots[i]));
+    if (!can_move(vertex_pool, slots[i])) continue;
+    blocks_.push_back(require_block(vertex_pool, slots[i]));
+    is_closure = is_closure && factor_.root_of(blocks_.back()) != kNone;
   }
+  if (options_.sets_outliers_aside && is_closure && !blocks_.empty())
+    closures_.push_back({edge.pool, edge.slot, pool.generation(edge.slot)});
   note_anchor(edge.pool, edge.slot);
   if (blocks_.empty()) return;
   entry.generation = pool.generation(edge.slot);

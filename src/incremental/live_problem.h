@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ class LiveProblem {
   using Index = IncrementalFactor::Index;
   static constexpr Index kNone = IncrementalFactor::kNone;
 
-  LiveProblem(Graph& graph, const SmootherOptions& options);
+  /// The edges in `aside` take no part.
+  LiveProblem(Graph& graph, const SmootherOptions& options, const std::set<EdgeRef>& aside);
 
   /// Adapts blocks and terms to changes of the graph. Edges that have to be linearized are queued.
   void apply(const detail::ChangeLog& log);
@@ -50,6 +52,10 @@ class LiveProblem {
   /// what the options allow.
   double relinearize(std::span<const Index> blocks, double scale);
 
+  /// The edges between vertices that were there before, that were added or edited since the last call.
+  std::vector<EdgeRef> take_closures() { return std::exchange(closures_, {}); }
+  /// Adapts to an edge that was set aside or taken back.
+  void apply_verdict(EdgeRef edge);
   /// The vertices that have got a block since the last call.
   std::vector<VertexRef> take_new_vertices() { return std::exchange(new_vertices_, {}); }
   /// The vertices that share an edge with `leaving`, and that `stays` does not name, nor any other vertex of
@@ -114,6 +120,7 @@ class LiveProblem {
 
   Graph& graph_;
   const SmootherOptions& options_;
+  const std::set<EdgeRef>& aside_;
   IncrementalFactor factor_;
   EdgeLinearizer linearizer_;
   std::vector<std::vector<VertexEntry>> vertices_;           // per pool and slot
@@ -133,6 +140,7 @@ class LiveProblem {
   std::uint64_t transaction_ = 0;
   std::vector<Index> maybe_unused_;
   std::vector<VertexRef> new_vertices_;
+  std::vector<EdgeRef> closures_;
   std::vector<EdgeRef> again_;                // edges whose vertices have changed
   std::vector<Index> blocks_, members_;       // of an edge; scratch memory
   std::vector<double> noticeable_;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "boxplus/optimize/optimizer.h"
+#include "incremental/closure_judge.h"
 #include "incremental/lag_window.h"
 #include "incremental/live_problem.h"
 #include "plan/plan.h"
@@ -33,8 +34,8 @@ class Smoother::Impl {
     if (life_->is_over) throw InvalidArgument("Smoother: its graph was destroyed or moved");
     SmootherReport report;
     const StopToken flag(options_.stop), limit(options_.stop, begin, options_.time_limit_s);
-    take_changes();
     work_ = {};
+    options_.sets_outliers_aside ? judge(report, finishes, flag) : take_changes();
     try {
       iterate(report, finishes, flag, limit);
     } catch (...) {
@@ -112,6 +113,7 @@ class Smoother::Impl {
     if (!graph_.contains(vertex)) throw InvalidArgument("Smoother: stale vertex handle");
     window_.set_time(vertex, seconds);
   }
+  std::vector<EdgeRef> set_aside() const { return {judge_.aside().begin(), judge_.aside().end()}; }
   SmootherOptions& options() { return options_; }
 
  private:
@@ -122,13 +124,39 @@ class Smoother::Impl {
     if (begins) {
       log_.clear();
       problem_.reset();
-      problem_ = std::make_unique<LiveProblem>(graph_, options_);
+      problem_ = std::make_unique<LiveProblem>(graph_, options_, judge_.aside());
     } else {
       problem_->apply(log_);
       log_.clear();
     }
     problem_->begin();
     if (problem_->may_be_anchored()) anchor();
+  }
+
+  /// Judges the closures that are new, and, if it is time, all of them. If the search changes any verdict, the
+  /// problem begins anew from its estimates.
+  void judge(SmootherReport& report, bool finishes, const StopToken& flag) {
+    for (const EdgeRef& edge : log_.edges) judge_.forget(edge);
+    const bool begins = log_.everything || is_broken_;
+    take_changes();
+    if (begins) judge_.expect_search();
+    for (const EdgeRef& edge : problem_->take_closures()) {
+      if (begins || !graph_.is_enabled(edge)) continue;
+      is_broken_ = false;  // the factor is that of the last update, which succeeded
+      const bool accepts = judge_.accepts(edge, preview(edge), options_.false_alarm);
+      is_broken_ = true;
+      if (accepts) continue;
+      problem_->apply_verdict(edge);
+      report.set_aside.push_back(edge);
+    }
+    if (!judge_.is_search_due(finishes)) return;
+    const std::vector<EdgeRef> changed = judge_.search(graph_, options_.false_alarm, flag);
+    for (const EdgeRef& edge : changed) {
+      const bool is_aside = judge_.aside().contains(edge);
+      if (std::erase(is_aside ? report.taken_back : report.set_aside, edge) == 0)
+        (is_aside ? report.set_aside : report.taken_back).push_back(edge);
+    }
+    if (!changed.empty()) log_.everything = true, take_changes();
   }
 
   /// Linearizes, factorizes and solves until no vertex has to be linearized anew.
@@ -225,6 +253,7 @@ class Smoother::Impl {
   std::shared_ptr<detail::LifeState> life_;
   SmootherOptions options_;
   detail::ChangeLog log_;
+  ClosureJudge judge_;
   std::unique_ptr<LiveProblem> problem_;
   FactorWork work_;  // of the current update
   LagWindow window_;
@@ -256,6 +285,10 @@ SmootherReport Smoother::update() {
 
 SmootherReport Smoother::finish() {
   return impl_->update(true);
+}
+
+std::vector<EdgeRef> Smoother::set_aside() const {
+  return impl_->set_aside();
 }
 
 void Smoother::set_time(VertexRef vertex, double seconds) {

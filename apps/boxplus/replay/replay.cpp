@@ -67,7 +67,7 @@ double median(std::vector<double> values) {
 struct Outcome {
   SmootherReport last;
   double chi2 = 0, worst_s = 0, median_s = 0;
-  std::size_t worst_step = 0, failures = 0;
+  std::size_t worst_step = 0, failures = 0, aside = 0;
   std::vector<Excess> excesses;
   double largest_excess() const {
     double largest = 0;
@@ -87,6 +87,7 @@ Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay
     if (is_due) outcome.excesses.push_back(compare_with_batch(graph, replay));
   }
   outcome.last = replay.finish();
+  outcome.aside = replay.smoother().set_aside().size();
   outcome.chi2 = replay.chi2();
   const std::vector<double>& seconds = replay.seconds();
   if (seconds.empty()) return outcome;
@@ -115,6 +116,7 @@ std::string json_of(const ReplayArguments& arguments, const Replay& replay, cons
       {"started_over", totals.started_over},
       {"gflop", 1e-9 * totals.flops},
       {"time_s", {{"total", totals.seconds}, {"worst", outcome.worst_s}, {"median", outcome.median_s}}}};
+  if (arguments.options.sets_outliers_aside) json["set_aside"] = outcome.aside;
   if (arguments.compare_every > 0) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Excess& excess : outcome.excesses)
@@ -133,6 +135,8 @@ std::string summary(const ReplayArguments& arguments, const Replay& replay, cons
       replay.done(), outcome.last.converged() ? "converged" : to_string(outcome.last.reason), outcome.chi2,
       totals.seconds, 1e6 * outcome.median_s, 1e3 * outcome.worst_s, outcome.worst_step, totals.iterations,
       totals.relinearized, totals.refactored, totals.moved, 1e-9 * totals.flops);
+  if (arguments.options.sets_outliers_aside)
+    text += fmt::format("outliers {} loop closures are set aside\n", outcome.aside);
   if (arguments.compare_every > 0)
     text += fmt::format("excess   chi2 is at most {:.2g} times above the optimum so far, in {} comparisons\n",
                         outcome.largest_excess(), outcome.excesses.size());
@@ -193,6 +197,7 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
       ->type_name("METERS")
       ->check(number_above(0))
       ->capture_default_str();
+  command.add_flag("--outliers", options.sets_outliers_aside, "Set false loop closures aside, and take them back");
   command.add_flag("-q,--quiet", arguments.quiet, "Print no summary");
   add_reading_options(command, arguments.reading);
   command.footer(kReplayFooter);

@@ -52,9 +52,10 @@ SmootherReport Replay::count(const SmootherReport& report) {
 
 double Replay::chi2() const {
   double sum = 0;
+  const std::vector<EdgeRef> aside = smoother_.set_aside();  // sorted
   for (std::size_t k = 0; k < done(); ++k) {
     for (const EdgeRef& edge : edges_[k]) {
-      if (!graph_.is_enabled(edge)) continue;
+      if (!graph_.is_enabled(edge) || std::binary_search(aside.begin(), aside.end(), edge)) continue;
       const RobustKernel* const kernel = graph_.kernel(edge);
       const double e2 = graph_.chi2(edge);
       sum += kernel != nullptr ? (*kernel)(e2).value : e2;

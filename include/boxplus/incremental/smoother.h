@@ -37,6 +37,13 @@ struct SmootherOptions {
   const std::atomic<bool>* stop = nullptr;  ///< stops when this flag becomes true; may be null
   bool numeric_jacobians = false;           ///< differentiate every edge numerically
 
+  /// Sets false loop closures aside: edges between vertices that were there before, whose predicted cost
+  /// (EdgePreview::chi2_increase) is above the limit that a true one exceeds with the probability
+  /// `false_alarm`. As the graph grows, and in finish(), find_outliers() judges all closures of a pose graph
+  /// together; it may take some back and set others aside. The report names both. Not together with a lag.
+  bool sets_outliers_aside = false;
+  double false_alarm = 2e-4;
+
   /// A fixed lag: after each update, the oldest vertices are marginalized, so that at most `lag` of the
   /// vertices with times remain, and none that is more than `lag_s` older than the newest one. All poses have
   /// times; Smoother::set_time() sets those of any vertices. Every other vertex, such as a landmark or a
@@ -65,6 +72,8 @@ struct SmootherReport {
   std::uint32_t ordered = 0;       ///< vertices that were ordered anew
   std::uint32_t refactored = 0;    ///< fronts of the factor that were computed
   double refactored_share = 0;     ///< the share of the unknowns in these fronts
+  /// Loop closures whose verdicts have changed (SmootherOptions::sets_outliers_aside).
+  std::vector<EdgeRef> set_aside, taken_back;
   std::uint32_t marginalized = 0;  ///< vertices that left the lag
   std::uint32_t moved = 0;         ///< estimates that were computed
   double flops = 0;                ///< the operations of the factorizations
@@ -130,6 +139,8 @@ class Smoother {
   /// look, and then enable or remove it. Its vertices must have other edges. The kernel does not count. Throws
   /// InvalidArgument as covariance() does.
   EdgePreview preview(EdgeRef edge) const;
+  /// All loop closures that are set aside.
+  std::vector<EdgeRef> set_aside() const;
   const SmootherOptions& options() const;
   void set_options(const SmootherOptions& options);
 

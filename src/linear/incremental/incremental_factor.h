@@ -97,6 +97,10 @@ class IncrementalFactor {
   std::size_t memory_numbers() const { return memory_.numbers() + values_.size(); }
 
  private:
+  /// The scalars of a block in x.
+  struct Place {
+    std::uint32_t x, dim;
+  };
   struct Block {
     std::uint32_t dim = 0, x = 0;
     Index front = kNone;
@@ -113,6 +117,7 @@ class IncrementalFactor {
   };
   struct Front {
     std::vector<Index> blocks;  // the pivots, and then the separator, in the order of elimination
+    std::vector<Place> places;  // of each block
     std::vector<Index> children;
     std::vector<dense::Run> runs;  // of the rows of the update matrix, in the parent's front
     std::size_t pivot_runs = 0;
@@ -144,13 +149,14 @@ class IncrementalFactor {
   void find_blocks(Front& front);
   Index new_front();
   void free_front(Index f);
+  void set_places(Front& front) const;
   bool sort_blocks(Front& front);
   void sort_separator(Front& front);
   void attach(Index child, Index parent);
   void find_runs(Front& child, const Front& parent);
   Result factorize_front(Front& front, const StopToken& stop);
   void load(Front& front);
-  void add_pair(const Term& term, std::size_t i, std::size_t j, double* to, std::uint32_t leading) const;
+  void load_term(const Term& term, Index pivot, double* columns, std::uint32_t leading, std::uint32_t last) const;
   void solve_front(const Front& front, std::vector<Index>& solved);
 
   std::vector<Block> blocks_;
