@@ -8,6 +8,23 @@
 
 namespace boxplus {
 
+void take_estimates(Graph& graph, const Graph& copy) {
+  for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
+    detail::VertexPool& pool = *graph.vertex_pools()[p];
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
+      if (pool.alive(slot) && !pool.fixed(slot)) slots.push_back(slot);
+    }
+    pool.copy_estimates(slots, *copy.vertex_pools()[p]);
+  }
+}
+
+Graph ClosureJudge::copy_without_aside(const Graph& graph) const {
+  Graph copy = graph;
+  for (const EdgeRef& edge : aside_) copy.set_enabled(edge, false);
+  return copy;
+}
+
 bool ClosureJudge::accepts(EdgeRef edge, const EdgePreview& preview, double false_alarm) {
   ++judged_;
   const bool fits = preview.chi2_increase <= noise_scale_ * chi2_quantile(preview.rows, 1 - false_alarm);
@@ -44,15 +61,7 @@ std::vector<EdgeRef> ClosureJudge::search(Graph& graph, double false_alarm, cons
     changed.push_back(verdict.edge);
     is_aside ? void(aside_.insert(verdict.edge)) : void(aside_.erase(verdict.edge));
   }
-  if (changed.empty()) return changed;
-  for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
-    detail::VertexPool& pool = *graph.vertex_pools()[p];
-    std::vector<std::uint32_t> slots;
-    for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
-      if (pool.alive(slot) && !pool.fixed(slot)) slots.push_back(slot);
-    }
-    pool.copy_estimates(slots, *copy.vertex_pools()[p]);
-  }
+  if (!changed.empty()) take_estimates(graph, copy);
   return changed;
 }
 

@@ -8,9 +8,12 @@
 
 #include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
-#include "boxplus/incremental/smoother.h"
+#include "boxplus/incremental/smoother_options.h"
 
 namespace boxplus {
+
+/// Copies the estimates of all vertices that are not fixed from a copy of the graph.
+void take_estimates(Graph& graph, const Graph& copy);
 
 /// Knows which closures are set aside. A new closure is judged by its predicted cost alone, and all closures
 /// together are judged again by find_outliers() each time that their number has grown by a part, so that the
@@ -26,6 +29,8 @@ class ClosureJudge {
 
   /// Whether enough has changed for a search; `finishes`: whether anything has.
   bool is_search_due(bool finishes) const;
+  /// A copy of the graph in which the edges that are set aside are disabled.
+  Graph copy_without_aside(const Graph& graph) const;
   /// Judges all closures of the graph. Returns the edges whose verdicts have changed. If there are any, moves
   /// the estimates of the graph to those of the search.
   std::vector<EdgeRef> search(Graph& graph, double false_alarm, const StopToken& stop);

@@ -94,7 +94,8 @@ bool LiveProblem::hold(const Plan& plan) {
     directions.emplace_back(plan.block_vertex[k], static_cast<int>(scalar - offset[k]));
   }
   if (may_be_anchored_) {
-    for (std::size_t p = 0; p < is_relative_.size(); ++p) is_relative_[p] = graph_.edge_pools()[p]->slots() > 0;
+    for (std::size_t p = 0; p < is_relative_.size(); ++p)
+      is_relative_[p] = graph_.edge_pools()[p]->slots() > 0;
   }
   may_be_anchored_ = false;
   const bool is_same = directions == held_directions_ &&
@@ -128,8 +129,8 @@ void LiveProblem::drop_stale_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   const EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term == kNone) return;
-  const bool remains = pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation &&
-                       pool.level(edge.slot) == 0;
+  const bool remains =
+      pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation && pool.level(edge.slot) == 0;
   if (!remains) remove_term({edge.pool, edge.slot});
 }
 
@@ -140,8 +141,8 @@ bool LiveProblem::can_move(std::uint32_t pool, std::uint32_t slot) const {
 void LiveProblem::apply_vertex(VertexRef vertex) {
   const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
   VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
-  const bool is_same = entry.is_known && pool.alive(vertex.slot) &&
-                       pool.generation(vertex.slot) == entry.generation;
+  const bool is_same =
+      entry.is_known && pool.alive(vertex.slot) && pool.generation(vertex.slot) == entry.generation;
   if (!is_same) entry.is_held = false;  // another vertex uses the slot
   const bool moves = pool.alive(vertex.slot) && can_move(vertex.pool, vertex.slot);
   const bool has_place =
@@ -219,7 +220,8 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   if (entry.block != kNone) return entry.block;
   const detail::VertexPool& pool = *graph_.vertex_pools()[p];
   if (!pool.bounds(slot).empty())
-    throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(slot)) + " has bounds; use optimize()");
+    throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(slot)) +
+                          " has bounds; use optimize()");
   const std::vector<std::uint8_t>& kinds = kinds_of(p, slot);
   noticeable_.clear();
   for (int i = 0; i < pool.tangent_dim(slot); ++i)
@@ -420,7 +422,8 @@ void LiveProblem::place(const detail::EdgePool& pool, std::uint32_t edge, Index 
   for (std::size_t i = 0; i < members_.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       const bool moves = members_[i] != kNone && members_[j] != kNone;
-      scatter_.targets.push_back(moves ? factor_.block_of(term, members_[i], members_[j]) : Scatter::kNowhere);
+      scatter_.targets.push_back(moves ? factor_.block_of(term, members_[i], members_[j])
+                                       : Scatter::kNowhere);
     }
   }
 }
@@ -522,7 +525,8 @@ std::vector<VertexRef> LiveProblem::followers(std::span<const VertexRef> leaving
   };
   const auto for_each_neighbor = [&](Index b, auto&& f) {
     for (const Index term : factor_.terms_of(b)) {
-      if (dynamic_cast<const MarginalPool*>(graph_.edge_pools()[edge_of_[term].pool].get()) != nullptr) continue;
+      if (dynamic_cast<const MarginalPool*>(graph_.edge_pools()[edge_of_[term].pool].get()) != nullptr)
+        continue;
       for (const Index other : factor_.blocks_of(term)) {
         if (other != b) f(other);
       }
@@ -569,7 +573,8 @@ void LiveProblem::marginalize(std::span<const VertexRef> vertices) {
     const auto blocks = factor_.blocks_of(term);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const Eigen::Index rows = factor_.dim(blocks[i]), row = model.first_of(vertex_of_[blocks[i]]);
-      model.b.segment(row, rows) += Eigen::Map<const Eigen::VectorXd>(values + factor_.gradient_of(term, i), rows);
+      model.b.segment(row, rows) +=
+          Eigen::Map<const Eigen::VectorXd>(values + factor_.gradient_of(term, i), rows);
       for (std::size_t j = 0; j <= i; ++j) {
         const Eigen::Index columns = factor_.dim(blocks[j]), column = model.first_of(vertex_of_[blocks[j]]);
         const Eigen::Map<const Eigen::MatrixXd> part(values + factor_.block_of(term, i, j), rows, columns);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "boxplus/incremental/smoother.h"
+#include "boxplus/incremental/smoother_options.h"
 #include "linear/incremental/incremental_factor.h"
 #include "linearize/edge_linearizer.h"
 #include "linearize/tile_memory.h"
@@ -62,10 +62,11 @@ class LiveProblem {
   /// their edges. Priors of earlier calls of marginalize() do not count as edges.
   std::vector<VertexRef> followers(std::span<const VertexRef> leaving,
                                    detail::FunctionRef<bool(VertexRef)> stays) const;
-  /// Replaces vertices in the graph by a prior on their neighbors, with the linearization that the terms have.
-  /// The linearization points of these neighbors do not move any more, because the prior would contradict the
-  /// other edges in directions that no edge measures (Huang, Mourikis and Roumeliotis, "Observability-based
-  /// rules for designing consistent EKF SLAM estimators", IJRR 2010). The next apply() adapts the terms.
+  /// Replaces vertices in the graph by a prior on their neighbors, with the linearization that the terms
+  /// have. The linearization points of these neighbors do not move any more, because the prior would
+  /// contradict the other edges in directions that no edge measures (Huang, Mourikis and Roumeliotis,
+  /// "Observability-based rules for designing consistent EKF SLAM estimators", IJRR 2010). The next apply()
+  /// adapts the terms.
   void marginalize(std::span<const VertexRef> vertices);
 
   IncrementalFactor& factor() { return factor_; }
@@ -141,10 +142,10 @@ class LiveProblem {
   std::vector<Index> maybe_unused_;
   std::vector<VertexRef> new_vertices_;
   std::vector<EdgeRef> closures_;
-  std::vector<EdgeRef> again_;                // edges whose vertices have changed
-  std::vector<Index> blocks_, members_;       // of an edge; scratch memory
+  std::vector<EdgeRef> again_;           // edges whose vertices have changed
+  std::vector<Index> blocks_, members_;  // of an edge; scratch memory
   std::vector<double> noticeable_;
-  std::vector<std::uint64_t> pass_of_;        // per block: the last linearize()
+  std::vector<std::uint64_t> pass_of_;  // per block: the last linearize()
   std::uint64_t pass_ = 0;
   std::unique_ptr<TileMemory> memory_;
   std::size_t memory_values_ = 0, memory_rows_ = 0, memory_dense_ = 0;

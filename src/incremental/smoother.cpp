@@ -133,8 +133,8 @@ class Smoother::Impl {
     if (problem_->may_be_anchored()) anchor();
   }
 
-  /// Judges the closures that are new, and, if it is time, all of them. If the search changes any verdict, the
-  /// problem begins anew from its estimates.
+  /// Judges the closures that are new, and, if it is time, all of them. If the search changes any verdict,
+  /// the problem begins anew from its estimates.
   void judge(SmootherReport& report, bool finishes, const StopToken& flag) {
     for (const EdgeRef& edge : log_.edges) judge_.forget(edge);
     const bool begins = log_.everything || is_broken_;
@@ -191,7 +191,8 @@ class Smoother::Impl {
       constexpr int kMostGrowths = 3;
       if (growths >= kMostGrowths || !std::isfinite(distance)) return start_over(report);
       constexpr int kMostToFinish = 100;
-      if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations)) return end(report, Reason::kMaxIterations);
+      if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations))
+        return end(report, Reason::kMaxIterations);
       if (limit.raised()) return end(report, flag.raised() ? Reason::kStopFlag : Reason::kTimeLimit);
     }
   }
@@ -221,23 +222,24 @@ class Smoother::Impl {
     Options options{.start = Start::kAutomatic, .threads = 1};
     options.stop = options_.stop;
     options.numeric_jacobians = options_.numeric_jacobians;
-    const Report batch = optimize(graph_, options);
+    Graph copy = judge_.copy_without_aside(graph_);
+    const Report batch = optimize(copy, options);
+    take_estimates(graph_, copy);
+    log_.everything = true;
     report.started_over = true;
-    report.reason = batch.converged()                            ? SmootherReport::Reason::kConverged
+    report.reason = batch.converged()                           ? SmootherReport::Reason::kConverged
                     : batch.reason == Report::Reason::kStopFlag ? SmootherReport::Reason::kStopFlag
-                                                                 : SmootherReport::Reason::kMaxIterations;
+                                                                : SmootherReport::Reason::kMaxIterations;
   }
 
   /// Holds vertices and directions of components that nothing anchors, and no others. Returns false if
   /// nothing changes.
-  bool anchor() {
-    return problem_->hold(make_plan(graph_, {}));
-  }
+  bool anchor() { return problem_->hold(make_plan(graph_, {})); }
 
   void fail(SmootherReport& report, LiveProblem::Index block) {
     report.reason = SmootherReport::Reason::kNotDetermined;
-    report.message = "vertex " + std::to_string(graph_.id(problem_->vertex(block))) +
-                     " is not determined by its edges";
+    report.message =
+        "vertex " + std::to_string(graph_.id(problem_->vertex(block))) + " is not determined by its edges";
     problem_->restore();
   }
 
@@ -245,7 +247,8 @@ class Smoother::Impl {
     report.reason = SmootherReport::Reason::kNonFinite;
     report.message = "the error or the Jacobian of an edge is not finite: edge of";
     for (const VertexRef& vertex : graph_.vertices(problem_->non_finite()))
-      report.message += (report.message.ends_with("of") ? " vertex " : ", ") + std::to_string(graph_.id(vertex));
+      report.message +=
+          (report.message.ends_with("of") ? " vertex " : ", ") + std::to_string(graph_.id(vertex));
     problem_->restore();
   }
 
@@ -263,12 +266,18 @@ class Smoother::Impl {
 
 std::string_view to_string(SmootherReport::Reason reason) {
   switch (reason) {
-    case SmootherReport::Reason::kConverged: return "converged";
-    case SmootherReport::Reason::kMaxIterations: return "maximum number of iterations";
-    case SmootherReport::Reason::kTimeLimit: return "time limit";
-    case SmootherReport::Reason::kStopFlag: return "stop flag";
-    case SmootherReport::Reason::kNonFinite: return "not finite";
-    case SmootherReport::Reason::kNotDetermined: return "not determined";
+    case SmootherReport::Reason::kConverged:
+      return "converged";
+    case SmootherReport::Reason::kMaxIterations:
+      return "maximum number of iterations";
+    case SmootherReport::Reason::kTimeLimit:
+      return "time limit";
+    case SmootherReport::Reason::kStopFlag:
+      return "stop flag";
+    case SmootherReport::Reason::kNonFinite:
+      return "not finite";
+    case SmootherReport::Reason::kNotDetermined:
+      return "not determined";
   }
   return "unknown";
 }

@@ -82,8 +82,8 @@ Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay
     const SmootherReport report = replay.step();
     if (!report.message.empty() && outcome.failures++ == 0)
       print_message(fmt::format("step {}: {}", replay.done(), report.message));
-    const bool is_due = arguments.compare_every > 0 &&
-                        replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
+    const bool is_due =
+        arguments.compare_every > 0 && replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
     if (is_due) outcome.excesses.push_back(compare_with_batch(graph, replay));
   }
   outcome.last = replay.finish();
@@ -169,11 +169,14 @@ int replay_file(const ReplayArguments& arguments) {
 }
 
 void add_options(CLI::App& command, ReplayArguments& arguments) {
-  command.add_option("FILE", arguments.input, "The graph, or - for standard input")->required()->check(file_name());
+  command.add_option("FILE", arguments.input, "The graph, or - for standard input")
+      ->required()
+      ->check(file_name());
   command.add_option("-o,--output", arguments.output, "Write the result to this file")->check(file_name());
   command.add_option("--json", arguments.json, "Write a report to this file, or - for standard output")
       ->check(file_name());
-  command.add_option("--times", arguments.times, "Write the time of each step to this CSV file")->check(file_name());
+  command.add_option("--times", arguments.times, "Write the time of each step to this CSV file")
+      ->check(file_name());
   command
       .add_option("--compare-every", arguments.compare_every,
                   "Compare chi2 with that of a batch optimization after every so many steps")
@@ -197,7 +200,8 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
       ->type_name("METERS")
       ->check(number_above(0))
       ->capture_default_str();
-  command.add_flag("--outliers", options.sets_outliers_aside, "Set false loop closures aside, and take them back");
+  command.add_flag("--outliers", options.sets_outliers_aside,
+                   "Set false loop closures aside, and take them back");
   command.add_flag("-q,--quiet", arguments.quiet, "Print no summary");
   add_reading_options(command, arguments.reading);
   command.footer(kReplayFooter);

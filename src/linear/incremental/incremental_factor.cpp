@@ -361,9 +361,8 @@ void IncrementalFactor::solve(std::vector<Index>& solved) {
     for (const Index c : front.children) {
       const auto separator = fronts_[c].separator();
       const bool is_affected =
-          fronts_[c].is_unsolved || std::any_of(separator.begin(), separator.end(), [&](Index b) {
-            return noticed_pass_[b] == pass_;
-          });
+          fronts_[c].is_unsolved ||
+          std::any_of(separator.begin(), separator.end(), [&](Index b) { return noticed_pass_[b] == pass_; });
       if (is_affected) stack_.push_back(c);
     }
   }

@@ -77,18 +77,16 @@ class IncrementalFactor {
   void solve(std::vector<Index>& solved);
   /// Computes all of x.
   void solve_all(std::vector<Index>& solved);
-  std::span<const double> x(Index block) const {
-    return {x_.data() + blocks_[block].x, blocks_[block].dim};
-  }
+  std::span<const double> x(Index block) const { return {x_.data() + blocks_[block].x, blocks_[block].dim}; }
   const double* all_x() const { return x_.data(); }
   std::uint32_t x_offset(Index block) const { return blocks_[block].x; }
   /// Says that the unknowns of this block are now relative to x: x becomes zero. The terms of the block must
   /// change before the next factorize().
   void reset_x(Index block);
 
-  /// The part of H⁻¹ that belongs to the listed blocks, in this order; column-major. Visits the fronts between
-  /// the blocks and the roots (Kaess and Dellaert, "Covariance recovery from a square root information matrix
-  /// for data association", RAS 2009). The factor must be up to date.
+  /// The part of H⁻¹ that belongs to the listed blocks, in this order; column-major. Visits the fronts
+  /// between the blocks and the roots (Kaess and Dellaert, "Covariance recovery from a square root
+  /// information matrix for data association", RAS 2009). The factor must be up to date.
   void covariance(std::span<const Index> blocks, std::vector<double>& out);
 
   /// The number of values in the panels of all fronts, and of scalars.
@@ -156,7 +154,8 @@ class IncrementalFactor {
   void find_runs(Front& child, const Front& parent);
   Result factorize_front(Front& front, const StopToken& stop);
   void load(Front& front);
-  void load_term(const Term& term, Index pivot, double* columns, std::uint32_t leading, std::uint32_t last) const;
+  void load_term(const Term& term, Index pivot, double* columns, std::uint32_t leading,
+                 std::uint32_t last) const;
   void solve_front(const Front& front, std::vector<Index>& solved);
 
   std::vector<Block> blocks_;

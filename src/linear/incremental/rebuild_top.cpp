@@ -97,8 +97,8 @@ BlockStructure IncrementalFactor::structure_of_top() {
     };
     for (const Index t : block.terms) {
       const std::vector<Index>& members = terms_[t].blocks;
-      const bool is_below = std::any_of(members.begin(), members.end(),
-                                        [&](Index b) { return blocks_[b].front != kNone; });
+      const bool is_below =
+          std::any_of(members.begin(), members.end(), [&](Index b) { return blocks_[b].front != kNone; });
       if (!is_below) std::for_each(members.begin(), members.end(), add);
     }
     if (!orphans.empty()) {
