@@ -45,6 +45,7 @@ bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@build/bench/bin/live_step_bench
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
+	@build/bench/bin/smoother_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@build/bench/bin/covariance_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@build/bench/bin/outlier_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <string>
 
 #include "base/all_finite.h"
@@ -500,17 +502,44 @@ void LiveProblem::restore() {
   moved_.clear();
 }
 
-double LiveProblem::relinearize(std::span<const Index> blocks, double scale) {
-  double farthest = 0;
-  for (const Index block : blocks) {
+double LiveProblem::relinearize(std::span<const Index> blocks, double scale, double max_flops,
+                                bool takes_one) {
+  std::vector<std::pair<double, Index>>& far = far_;
+  far.clear();
+  const auto look_at = [&](Index block) {
     const auto [pool, slot, generation] = vertex_of_[block];
+    const VertexEntry& entry = vertices_[pool][slot];
+    if (entry.block != block || entry.is_pinned) return;
     const auto x = factor_.x(block);
     const std::vector<std::uint8_t>& kinds = kinds_[pool];
     double distance = 0;
     for (std::size_t i = 0; i < x.size(); ++i)
       distance = std::max(distance, std::abs(x[i]) / distance_of(options_.relinearize, kinds[i]));
-    farthest = std::max(farthest, distance);
-    if (distance > scale && !vertices_[pool][slot].is_pinned) set_point(pool, slot, block);
+    if (!(distance <= scale)) far.emplace_back(distance, block);
+  };
+  for (const Index block : blocks) look_at(block);
+  if (!waiting_.empty()) {
+    for (const Index block : waiting_) look_at(block);
+    std::sort(far.begin(), far.end());
+    far.erase(std::unique(far.begin(), far.end()), far.end());
+    waiting_.clear();
+  }
+  double farthest = 0;
+  for (const auto& [distance, block] : far) farthest = std::max(farthest, distance);
+  const bool is_limited = max_flops < std::numeric_limits<double>::infinity();
+  if (is_limited) std::sort(far.begin(), far.end(), std::greater<>());
+  factor_.begin_prediction();
+  for (const auto& [distance, block] : far) {
+    const bool must = takes_one && block == far.front().second;
+    const double limit = must ? std::numeric_limits<double>::infinity() : max_flops;
+    const double flops = is_limited ? factor_.expect_change(block, limit) : 0;
+    if (flops > limit) {
+      waiting_.push_back(block);
+      continue;
+    }
+    max_flops -= flops;
+    const auto [pool, slot, generation] = vertex_of_[block];
+    set_point(pool, slot, block);
   }
   return farthest;
 }

@@ -48,9 +48,14 @@ class LiveProblem {
   void begin() { moved_.clear(), ++transaction_; }
   void restore();
   /// Moves the linearization points of those blocks to their estimates that are farther from them than
-  /// `scale` times what the options allow, and queues their edges. Returns the largest distance, divided by
-  /// what the options allow.
-  double relinearize(std::span<const Index> blocks, double scale);
+  /// `scale` times what the options allow, and queues their edges; also those of earlier calls that had to
+  /// wait. Returns the largest distance, divided by what the options allow.
+  ///
+  /// The farthest blocks come first, and block after block is taken as long as the operations that it adds to
+  /// the next factorization are within `max_flops`; all others wait. Blocks on the path of a block that was
+  /// taken are nearly free (RA-ISAM2: Chen et al., ASPLOS 2025). If `takes_one`, at least one block is taken.
+  double relinearize(std::span<const Index> blocks, double scale, double max_flops, bool takes_one);
+  bool has_waiting_blocks() const { return !waiting_.empty(); }
 
   /// The edges between vertices that were there before, that were added or edited since the last call.
   std::vector<EdgeRef> take_closures() { return std::exchange(closures_, {}); }
@@ -140,11 +145,13 @@ class LiveProblem {
   std::vector<std::uint64_t> moved_in_;  // per block: its last transaction
   std::uint64_t transaction_ = 0;
   std::vector<Index> maybe_unused_;
+  std::vector<Index> waiting_;  // to be linearized anew when the budget allows it
   std::vector<VertexRef> new_vertices_;
   std::vector<EdgeRef> closures_;
   std::vector<EdgeRef> again_;           // edges whose vertices have changed
   std::vector<Index> blocks_, members_;  // of an edge; scratch memory
   std::vector<double> noticeable_;
+  std::vector<std::pair<double, Index>> far_;
   std::vector<std::uint64_t> pass_of_;  // per block: the last linearize()
   std::uint64_t pass_ = 0;
   std::unique_ptr<TileMemory> memory_;

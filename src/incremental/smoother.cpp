@@ -182,10 +182,14 @@ class Smoother::Impl {
       finishes ? factor.solve_all(solved_) : factor.solve(solved_);
       problem_->move(solved_);
       constexpr double kFinished = 1e-4;
-      const double distance = problem_->relinearize(solved_, finishes ? kFinished : 1.0);
+      const double distance = problem_->relinearize(
+          solved_, finishes ? kFinished : 1.0,
+          finishes ? std::numeric_limits<double>::infinity() : options_.max_flops - work_.flops,
+          report.iterations == 0);
       ++report.iterations;
       report.moved += static_cast<std::uint32_t>(solved_.size());
-      if (!problem_->has_queued_edges()) return end(report, Reason::kConverged);
+      if (!problem_->has_queued_edges())
+        return end(report, problem_->has_waiting_blocks() ? Reason::kMaxFlops : Reason::kConverged);
       growths = distance > farthest ? growths + 1 : 0;
       farthest = distance;
       constexpr int kMostGrowths = 3;
@@ -270,6 +274,8 @@ std::string_view to_string(SmootherReport::Reason reason) {
       return "converged";
     case SmootherReport::Reason::kMaxIterations:
       return "maximum number of iterations";
+    case SmootherReport::Reason::kMaxFlops:
+      return "operations limit";
     case SmootherReport::Reason::kTimeLimit:
       return "time limit";
     case SmootherReport::Reason::kStopFlag:

@@ -5,13 +5,16 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "boxplus/optimize/optimizer.h"
+#include "boxplus/outliers/outliers.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/testing/simulate.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
+#include "guess/placement.h"
 
 namespace boxplus {
 namespace {
@@ -401,6 +404,90 @@ TEST(Smoother, PredictsWhatAnEdgeCostsAndChanges) {
   const SE2 moved = estimate.inverse() * graph.estimate(b);
   EXPECT_NEAR(moved.translation()[0], preview.steps[1][0], 1e-3);
   EXPECT_NEAR(moved.translation()[1], preview.steps[1][1], 1e-3);
+}
+
+TEST(Smoother, KeepsToABudgetOfOperationsAndGoesOnInTheNextUpdate) {
+  const Simulation world = simulate(World::kManhattan, {.poses = 400});
+  Graph graph = world.graph, free = world.graph;
+  constexpr double kBudget = 3e4;
+  Smoother smoother(graph, {.relinearize = {1e-3, 1e-3, 1e-3}, .max_flops = kBudget});
+  SmootherReport report = smoother.update();
+  EXPECT_EQ(report.reason, SmootherReport::Reason::kMaxFlops);
+  int updates = 1;
+  for (; !report.converged() && updates < 2000; ++updates) report = smoother.update();
+  EXPECT_TRUE(report.converged());
+  EXPECT_GT(updates, 5);
+  EXPECT_TRUE(smoother.finish().converged());
+  EXPECT_LT(distance_from_batch(graph), 1e-6);
+}
+
+/// Gives the vertices of a simulated world to a smoother one by one. Returns the closures that are set aside
+/// in the end.
+std::vector<EdgeRef> replay(Graph& graph, Smoother& smoother) {
+  std::map<Id, std::vector<EdgeRef>> steps;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    Id last = 0;
+    for (const VertexRef& vertex : graph.vertices(edge)) last = std::max(last, graph.id(vertex));
+    steps[last].push_back(edge);
+    graph.set_level(edge, 1);
+  }
+  Placement placement(graph);
+  for (const VertexRef& vertex : graph.all_vertices()) {
+    if (!graph.is_fixed(vertex)) placement.expect(vertex);
+  }
+  for (const auto& [id, edges] : steps) {
+    for (const EdgeRef& edge : edges) {
+      graph.set_level(edge, 0);
+      placement.place_by(edge);
+    }
+    (void)smoother.update();
+  }
+  EXPECT_TRUE(smoother.finish().converged());
+  return smoother.set_aside();
+}
+
+TEST(Smoother, SetsFalseClosuresAsideAsTheSearchOfTheWholeGraphDoes) {
+  for (const World world : {World::kManhattan, World::kSphere}) {
+    Simulation simulation = simulate(world, {.poses = 400, .seed = 2, .outliers = 0.3});
+    Graph whole = simulation.graph;
+    const OutlierReport expected = find_outliers(whole);
+    Smoother smoother(simulation.graph, {.sets_outliers_aside = true});
+    std::vector<EdgeRef> aside = replay(simulation.graph, smoother), others;
+    for (const EdgeVerdict& verdict : expected.verdicts) {
+      if (verdict.weight == 0) others.push_back(verdict.edge);
+    }
+    std::sort(aside.begin(), aside.end());
+    std::sort(others.begin(), others.end());
+    EXPECT_EQ(aside, others) << to_string(world);
+    double chi2 = 0;
+    for (const EdgeRef& edge : simulation.graph.all_edges()) {
+      if (!std::binary_search(aside.begin(), aside.end(), edge)) chi2 += simulation.graph.chi2(edge);
+    }
+    EXPECT_NEAR(chi2, expected.report.chi2_final, 1e-4 * chi2);
+  }
+}
+
+TEST(Smoother, TakesAClosureBackIfLaterOnesSpeakForIt) {
+  // A loop whose odometry is wrong in one place, so that each closure seems false until there are several.
+  Graph graph;
+  Smoother smoother(graph, {.sets_outliers_aside = true});
+  std::vector<VertexHandle<SE2>> poses;
+  constexpr int kLap = 40;
+  const SE2 motion(1, 0, 2 * kPi / kLap);
+  std::size_t aside = 0, back = 0;
+  for (int k = 0; k < 3 * kLap; ++k) {
+    const SE2 measured = k == kLap / 2 ? motion * SE2(0.4, 0.3, 0.05) : motion;
+    poses.push_back(graph.add_vertex(k == 0 ? SE2() : graph.estimate(poses.back()) * measured));
+    if (k > 0) graph.add_edge(Between(measured), 1e4, poses[poses.size() - 2], poses.back());
+    if (k >= kLap) graph.add_edge(Between(SE2()), 1e4, poses[poses.size() - 1 - kLap], poses.back());
+    const SmootherReport report = smoother.update();
+    aside += report.set_aside.size();
+    back += report.taken_back.size();
+  }
+  (void)smoother.finish();
+  EXPECT_GT(aside, 0u);
+  EXPECT_GT(back, 0u);
+  EXPECT_TRUE(smoother.set_aside().empty());
 }
 
 }  // namespace

@@ -32,6 +32,11 @@ struct SmootherOptions {
   /// An update begins no further iteration after this time, and the next update goes on. At least one
   /// iteration is made.
   double time_limit_s = std::numeric_limits<double>::infinity();
+  /// An update linearizes vertices anew only as long as the operations that its factorizations need are
+  /// predicted to be at most this many; at least one vertex. Those that are farthest from their linearization
+  /// points come first, and the next update goes on with the others. So the time of an update is bounded, and
+  /// no clock changes a result. One core does some 10⁹ operations per second.
+  double max_flops = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop = nullptr;  ///< stops when this flag becomes true; may be null
   bool numeric_jacobians = false;           ///< differentiate every edge numerically
 
@@ -56,6 +61,7 @@ struct SmootherReport {
   enum class Reason : std::uint8_t {
     kConverged,      ///< no vertex is to be linearized anew
     kMaxIterations,  ///< the next update goes on
+    kMaxFlops,       ///< the next update goes on
     kTimeLimit,      ///< the next update goes on
     kStopFlag,       ///< the next update goes on
     kNonFinite,      ///< an error or a Jacobian is not finite; the estimates are unchanged

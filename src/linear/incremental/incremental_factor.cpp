@@ -202,8 +202,7 @@ IncrementalFactor::Result IncrementalFactor::factorize(const StopToken& stop, Fa
     if (front.parent == kNone) new_roots_.push_back(dirty_[done]);
     ++work.factorized_fronts;
     work.factorized_scalars += front.columns;
-    const double rows = front.columns + front.below, below = front.below;
-    work.flops += (rows * rows * rows - below * below * below) / 3;
+    work.flops += front.flops();
   }
   dirty_.erase(dirty_.begin(), dirty_.begin() + static_cast<std::ptrdiff_t>(done));
   return result;
@@ -298,6 +297,24 @@ IncrementalFactor::Result IncrementalFactor::factorize_front(Front& front, const
   const auto pivots = front.pivot_blocks();
   return {LinearStatus::kNotPositiveDefinite,
           *std::find_if(pivots.rbegin(), pivots.rend(), [&](Index b) { return local_[b] <= lost; })};
+}
+
+double IncrementalFactor::expect_change(Index block, double limit) {
+  stack_.clear();  // the fronts that are not counted yet
+  double flops = 0;
+  for (const Index t : blocks_[block].terms) {
+    for (const Index b : terms_[t].blocks) {
+      for (Index f = blocks_[b].front; f != kNone && fronts_[f].prediction != prediction_; f = fronts_[f].parent) {
+        fronts_[f].prediction = prediction_;
+        flops += fronts_[f].flops();
+        stack_.push_back(f);
+      }
+    }
+  }
+  if (flops > limit) {
+    for (const Index f : stack_) fronts_[f].prediction = 0;
+  }
+  return flops;
 }
 
 // ---- The solution ----

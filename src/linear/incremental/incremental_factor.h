@@ -64,6 +64,14 @@ class IncrementalFactor {
   void hold_scalars(Index block, std::span<const int> scalars);
   std::span<const int> held_scalars(Index block) const { return blocks_[block].held; }
 
+  // ---- Predictions ----
+
+  /// Forgets what expect_change() has counted.
+  void begin_prediction() { ++prediction_; }
+  /// The operations that factorize() needs because the terms of this block change, in addition to those that
+  /// were predicted since begin_prediction(). Counts them if they are at most `limit`.
+  double expect_change(Index block, double limit);
+
   // ---- The solution ----
 
   struct Result {
@@ -122,11 +130,16 @@ class IncrementalFactor {
     Index pivots = 0, parent = kNone;
     std::uint32_t columns = 0, below = 0, leading = 0;  // `below` contains the right-hand side
     double* values = nullptr;                           // the panel, and then the update matrix
+    std::uint64_t prediction = 0;  // the last one that counts this front
     bool is_moved = false;     // its rows have moved, so that the runs of its children are out of date
     bool is_dirty = false;     // is to be computed
     bool is_unsolved = false;  // was computed after the last solve()
     bool is_top = false;       // is being taken apart
 
+    double flops() const {
+      const double all = columns + below, rest = below;
+      return (all * all * all - rest * rest * rest) / 3;
+    }
     std::size_t panel_size() const { return std::size_t{leading} * columns; }
     std::size_t size() const { return panel_size() + std::size_t{below} * below; }
     std::span<const Index> pivot_blocks() const { return std::span(blocks).first(pivots); }
@@ -167,6 +180,7 @@ class IncrementalFactor {
   std::vector<double> x_, published_, noticeable_;       // per scalar
   std::vector<std::vector<std::uint32_t>> free_x_;       // per size
   SizedMemory memory_;
+  std::uint64_t prediction_ = 0;
   std::uint64_t sequence_ = 0, age_ = 0, pass_ = 0, panel_values_ = 0;
   std::uint32_t scalars_ = 0;
 

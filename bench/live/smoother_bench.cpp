@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measures the Smoother:
+//
+//   smoother_bench FOLDER      replays public graphs, one update per vertex
+//   smoother_bench lag STEPS   drives with a fixed lag of 200 poses and landmarks
+//   smoother_bench nees RUNS   compares the errors of a fixed lag with its covariances
+//   smoother_bench months N    visits the same 2,000 places again and again, N poses in all
+#include <malloc.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "boxplus/boxplus.h"
+#include "boxplus/incremental/smoother.h"
+#include "boxplus/io/graph_file.h"
+#include "datasets/cpu_time.h"
+#include "datasets/median.h"
+#include "replay/replay_run.h"
+
+namespace boxplus::bench {
+namespace {
+
+template <class F>
+double timed(F&& f) {
+  const double begin = cpu_seconds();
+  f();
+  return cpu_seconds() - begin;
+}
+
+// ---- Replays ----
+
+struct Batch {
+  double seconds = 0, iteration = 0, chi2 = 0;
+};
+
+/// The time of a whole batch optimization and of one iteration, each the median of several.
+Batch measure_batch(const std::string& path) {
+  Batch batch;
+  std::vector<double> whole, iteration;
+  for (int k = 0; k < 7; ++k) {
+    GraphFile file = read_graph(path);
+    Report report;
+    whole.push_back(timed([&] { report = optimize(file.graph, {.start = Start::kAutomatic, .threads = 1}); }));
+    batch.chi2 = report.chi2_final;
+    Optimizer again(file.graph, {.algorithm = AlgorithmKind::kGaussNewton, .max_iterations = 1, .threads = 1});
+    again.run(report);
+    iteration.push_back(timed([&] { again.run(report); }));
+  }
+  batch.seconds = median(whole);
+  batch.iteration = median(iteration);
+  return batch;
+}
+
+void replay_file(const std::string& name, const std::string& path) {
+  constexpr std::size_t kBetweenChecks = 100;
+  const Batch batch = measure_batch(path);
+  double excess = 0, with_marginals = 0;
+  {  // not timed
+    GraphFile file = read_graph(path);
+    app::Replay replay(file.graph, {});
+    while (replay.done() < replay.steps()) {
+      replay.step();
+      if (replay.done() % kBetweenChecks != 0) continue;
+      Graph copy = file.graph;
+      const double optimum = optimize(copy, {.threads = 1}).chi2_final;
+      if (optimum > 1e-12) excess = std::max(excess, replay.chi2() / optimum - 1);
+    }
+  }
+  GraphFile file = read_graph(path);
+  app::Replay replay(file.graph, {});
+  while (replay.done() < replay.steps()) replay.step();
+  replay.finish();
+  {
+    GraphFile again = read_graph(path);
+    const std::vector<VertexRef> vertices = again.graph.all_vertices();
+    app::Replay marginals(again.graph, {});
+    while (marginals.done() < marginals.steps()) {
+      marginals.step();
+      if (marginals.done() < 3) continue;
+      with_marginals += timed([&] { (void)marginals.smoother().covariance({vertices[marginals.done() - 1]}); });
+    }
+  }
+  const std::vector<double>& seconds = replay.seconds();
+  const double worst = *std::max_element(seconds.begin(), seconds.end()), total = replay.totals().seconds;
+  std::printf("| %s | %zu | %.1f | %.3f | %.0f | %.1f | %.2f | %.1f | %.1e | %.1e | %.0f %% |\n", name.c_str(),
+              replay.steps(), 1e3 * batch.seconds, total, total / batch.seconds, 1e6 * median(seconds), 1e3 * worst,
+              worst / batch.iteration, excess, replay.chi2() / batch.chi2 - 1, 100 * with_marginals / total);
+  std::fflush(stdout);
+}
+
+void replay_all(const std::string& folder) {
+  std::printf(
+      "One update per vertex, on one thread. \"Batch\" is optimize() of the complete graph, \"iteration\" one "
+      "iteration of it.\n\n"
+      "| Graph | Steps | Batch [ms] | Replay [s] | Replay / batch | Median step [µs] | Worst step [ms] | Worst / "
+      "iteration | Excess of chi2, every 100th step | Excess at the end | Marginal of the newest pose adds |\n"
+      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"intel", "posegraph2d/intel_1728.g2o"},       {"M3500", "posegraph2d/M3500.g2o"},
+      {"parking-garage", "posegraph3d/parking-garage.g2o"}, {"city10000", "posegraph2d/city10000.g2o"},
+      {"w10000", "posegraph2d/w10000.graph"},        {"sphere2500", "posegraph3d/sphere2500.g2o"},
+      {"torus3D", "posegraph3d/torus3D.g2o"},        {"victoriaPark", "landmark2d/victoriaPark-full.g2o"}};
+  for (const auto& [name, path] : files) replay_file(name, folder + "/" + path);
+}
+
+// ---- Fixed lag ----
+
+/// A robot that drives around a block, 1 m per step, and sees landmarks beside the road.
+class Road {
+ public:
+  Road(unsigned seed, std::size_t lag) : random_(seed), smoother_(graph_, {.lag = lag}) {
+    add_pose(SE2());
+    graph_.add_edge(Prior(SE2()), 1e4, pose_);
+  }
+
+  SmootherReport step() {
+    const SE2 motion(1, 0, kTurn);
+    truth_ = truth_ * motion;
+    const SE2 measured = motion * SE2(noise(kMotion), noise(kMotion), noise(kTurnNoise));
+    const auto last = pose_;
+    add_pose(graph_.estimate(last) * measured);
+    std::vector<double> omega{1 / (kMotion * kMotion), 1 / (kMotion * kMotion), 1 / (kTurnNoise * kTurnNoise)};
+    graph_.add_edge(Between(measured), Information::diagonal(omega), last, pose_);
+    observe();
+    return smoother_.update();
+  }
+
+  /// (x̂ ⊟ x)ᵀ Σ⁻¹ (x̂ ⊟ x) of the newest pose.
+  double nees() {
+    double error[3];
+    Manifold<SE2>::ominus(truth_, graph_.estimate(pose_), error);
+    const Eigen::Map<const Eigen::Vector3d> e(error);
+    return e.dot(Eigen::Matrix3d(smoother_.covariance({pose_})).ldlt().solve(e));
+  }
+  const Graph& graph() const { return graph_; }
+
+ private:
+  static constexpr double kTurn = 2e-3, kMotion = 0.02, kTurnNoise = 0.002, kSeen = 0.1;
+  struct Landmark {
+    Vector2 place;
+    VertexHandle<Vector2> vertex;
+    bool is_known = false;
+  };
+
+  double noise(double sigma) { return sigma * std::normal_distribution<>()(random_); }
+
+  void add_pose(const SE2& guess) {
+    pose_ = graph_.add_vertex(guess);
+    // Two new landmarks ahead, one on each side of the road.
+    for (const double side : {-6.0, 6.0}) {
+      const Vector2 local(12 + noise(1), side + noise(1));
+      if (std::bernoulli_distribution(0.3)(random_)) landmarks_.push_back({truth_ * local, {}, false});
+    }
+    while (!landmarks_.empty() && truth_.inverse_times(landmarks_.front().place)[0] < -12) landmarks_.pop_front();
+  }
+
+  void observe() {
+    for (Landmark& landmark : landmarks_) {
+      const Vector2 exact = truth_.inverse_times(landmark.place);
+      if (exact.norm() > 12) continue;
+      const Vector2 seen(exact[0] + noise(kSeen), exact[1] + noise(kSeen));
+      if (!landmark.is_known) landmark.vertex = graph_.add_vertex(graph_.estimate(pose_) * seen);
+      landmark.is_known = true;
+      if (!graph_.contains(landmark.vertex)) continue;
+      graph_.add_edge(PointObservation2(seen), 1 / (kSeen * kSeen), pose_, landmark.vertex);
+    }
+  }
+
+  std::mt19937_64 random_;
+  Graph graph_;
+  Smoother smoother_;
+  SE2 truth_;
+  VertexHandle<SE2> pose_;
+  std::deque<Landmark> landmarks_;
+};
+
+void drive_with_lag(long steps) {
+  constexpr std::size_t kLag = 200;
+  Road road(1, kLag);
+  std::printf("| Step | Time per step [µs] | Vertices | Edges | Memory in use [kB] |\n|--:|--:|--:|--:|--:|\n");
+  constexpr int kParts = 24;
+  for (int part = 0; part < kParts; ++part) {
+    const long count = steps * (part + 1) / kParts - steps * part / kParts;
+    const double seconds = timed([&] {
+      for (long k = 0; k < count; ++k) {
+        const SmootherReport report = road.step();
+        if (!report.converged()) std::printf("step %ld: %s\n", k, report.message.c_str());
+      }
+    });
+    std::printf("| %ld | %.1f | %zu | %zu | %zu |\n", steps * (part + 1) / kParts, 1e6 * seconds / static_cast<double>(count),
+                road.graph().vertex_count(), road.graph().edge_count(), mallinfo2().uordblks / 1024);
+    std::fflush(stdout);
+  }
+}
+
+void measure_nees(int runs) {
+  double sum = 0;
+  for (int run = 1; run <= runs; ++run) {
+    Road road(static_cast<unsigned>(run), 20);
+    for (int k = 0; k < 300; ++k) (void)road.step();
+    sum += road.nees();
+  }
+  // The sum has the χ² distribution of 3 · runs degrees of freedom.
+  const double freedom = 3.0 * runs, spread = 1.96 * std::sqrt(2 * freedom);
+  std::printf("NEES of the last pose: %.2f on average over %d runs, 95 %% bounds %.2f to %.2f\n", sum / runs, runs,
+              (freedom - spread) / runs, (freedom + spread) / runs);
+}
+
+// ---- Months ----
+
+void visit_again_and_again(long poses) {
+  constexpr int kPlaces = 2000;
+  std::mt19937_64 random(1);
+  const auto noise = [&](double sigma) { return sigma * std::normal_distribution<>()(random); };
+  Graph graph;
+  Smoother smoother(graph);
+  std::vector<VertexHandle<SE2>> all;
+  const auto truth = [](long k) {
+    const double angle = 2 * kPi * static_cast<double>(k % kPlaces) / kPlaces;
+    return SE2(300 * std::sin(angle), 300 * (1 - std::cos(angle)), angle);
+  };
+  std::printf("| Poses | Time per update [µs] | Worst [ms] | Factor [million numbers] |\n|--:|--:|--:|--:|\n");
+  double seconds = 0, worst = 0;
+  for (long k = 0; k < poses; ++k) {
+    const auto measured = [&](long from) {
+      return truth(from).inverse() * truth(k) * SE2(noise(0.03), noise(0.03), noise(0.003));
+    };
+    const SE2 motion = k > 0 ? measured(k - 1) : SE2();
+    all.push_back(graph.add_vertex(k > 0 ? graph.estimate(all.back()) * motion : truth(0)));
+    if (k == 0) graph.fix(all[0]);
+    if (k > 0) graph.add_edge(Between(motion), 1000.0, all[all.size() - 2], all.back());
+    if (k >= kPlaces) graph.add_edge(Between(measured(k - kPlaces)), 1000.0, all[static_cast<std::size_t>(k - kPlaces)], all.back());
+    const double time = timed([&] { (void)smoother.update(); });
+    seconds += time;
+    worst = std::max(worst, time);
+    const long part = std::max(1L, poses / 20);
+    if ((k + 1) % part != 0) continue;
+    std::printf("| %ld | %.1f | %.2f | %zu |\n", k + 1, 1e6 * seconds / static_cast<double>(part), 1e3 * worst,
+                mallinfo2().uordblks / 1024);
+    std::fflush(stdout);
+    seconds = worst = 0;
+  }
+}
+
+}  // namespace
+}  // namespace boxplus::bench
+
+int main(int argc, char** argv) {
+  using namespace boxplus::bench;
+  const std::string what = argc > 1 ? argv[1] : "../shared/data";
+  const long number = argc > 2 ? std::atol(argv[2]) : 0;
+  if (what == "lag") return drive_with_lag(number > 0 ? number : 20000), 0;
+  if (what == "nees") return measure_nees(number > 0 ? static_cast<int>(number) : 20), 0;
+  if (what == "months") return visit_again_and_again(number > 0 ? number : 20000), 0;
+  replay_all(what);
+}
