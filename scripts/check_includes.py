@@ -46,9 +46,10 @@ ALLOWED = {
     "optimize": "base robust graph linear gauge options plan linearize system algorithm guess covariance diagnose",
     "outliers": "base manifold robust graph options optimize",
     "certify": "base manifold graph linear options guess optimize",
-    "incremental": "base graph linear gauge options plan linearize optimize",
     "settings": "base robust graph options outliers",
     "types": "base kernels manifold autodiff robust graph covariance",
+    "incremental":
+        "base autodiff robust graph linear gauge options plan linearize optimize outliers types",
     "io": "base manifold autodiff robust graph types",
     "trajectory": "base manifold autodiff robust graph types io",
     # A library of its own.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures one step of a robot that optimizes while it drives. A step adds a pose and its edges, and then
-// runs one iteration. The benchmark compares the CPU time of three kinds of iterations: over all vertices
-// with an extended plan, over all vertices with a new plan, and over a window of the last poses. A plan
-// contains the elimination order and memory layout of H; docs/live.md describes when it can be extended.
+// Measures one step of a robot that optimizes while it drives (docs/live.md). A step adds a pose and its
+// edges, and then optimizes. The benchmark compares the CPU time of three ways: an update of a Smoother, and
+// one iteration of an Optimizer over all vertices, or over a window of the last poses. The Optimizers make a
+// new plan in each step: an elimination order and a memory layout of H.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "boxplus/boxplus.h"
+#include "boxplus/incremental/smoother.h"
 #include "boxplus/testing/simulate.h"
 #include "datasets/cpu_time.h"
 #include "datasets/median.h"
@@ -36,7 +37,7 @@ class Drive {
 
   void append() {
     const std::size_t k = poses_.size();
-    poses_.push_back(graph.add_vertex(world_.graph.estimate(world_.graph.typed<Pose>(all_[k]))));
+    poses_.push_back(graph.add_vertex(guess(k)));
     if (k == 0) graph.fix(poses_[0]);
     const auto [begin, end] = edges_.equal_range(k);
     for (auto link = begin; link != end; ++link) {
@@ -50,11 +51,6 @@ class Drive {
   std::vector<VertexRef> window(std::size_t size) const {
     return {poses_.end() - static_cast<std::ptrdiff_t>(std::min(size, poses_.size())), poses_.end()};
   }
-  /// Makes the next optimization compute a new plan, because a vertex was fixed since the last one.
-  void touch() {
-    graph.fix(poses_[1]);
-    graph.unfix(poses_[1]);
-  }
 
   Graph graph;
 
@@ -63,6 +59,15 @@ class Drive {
     EdgeRef edge;
     std::size_t a, b;
   };
+
+  /// The estimate of the last pose, moved by the odometry.
+  Pose guess(std::size_t k) const {
+    const auto by_odometry = [&](std::size_t i) {
+      return world_.graph.estimate(world_.graph.typed<Pose>(all_[i]));
+    };
+    if (k == 0) return by_odometry(0);
+    return graph.estimate(poses_.back()) * by_odometry(k - 1).inverse_times(by_odometry(k));
+  }
 
   Information information(EdgeRef edge) const {
     const detail::InformationView omega = world_.graph.information(edge);
@@ -79,44 +84,49 @@ class Drive {
   std::vector<VertexHandle<Pose>> poses_;
 };
 
+/// The CPU time of f() in seconds.
+template <class F>
+double timed(F&& f) {
+  const double begin = cpu_seconds();
+  f();
+  return cpu_seconds() - begin;
+}
+
 template <class Pose>
 void measure(World world, int poses) {
-  constexpr int kSteps = 300;
+  constexpr int kSteps = 300, kStepsBetweenOptima = 100;
   const Simulation simulation = simulate(world, {.poses = poses + kSteps});
-  Drive<Pose> extended(simulation), anew(simulation), window(simulation);
-  Optimizer optimize_extended(extended.graph), optimize_anew(anew.graph), optimize_window(window.graph);
-  std::vector<double> seconds_extended, seconds_anew, seconds_window, ratio;
-  Options options{.max_iterations = 1, .threads = 1}, local = options;
-  Report report, report_anew, report_window;
-  const auto timed = [](Optimizer& optimizer, const Options& how, Report& result) {
-    const double begin = cpu_seconds();
-    optimizer.set_options(how);
-    optimizer.run(result);
-    return cpu_seconds() - begin;
-  };
-  int extensions = 0;
-  while (!extended.at_end()) {
-    for (Drive<Pose>* drive : {&extended, &anew, &window}) drive->append();
-    if (extended.poses() + kSteps < simulation.graph.vertex_count()) {
-      if (extended.poses() % 100 != 0) continue;
-      for (Optimizer* optimizer : {&optimize_extended, &optimize_anew, &optimize_window}) {
+  Drive<Pose> live(simulation), anew(simulation), window(simulation);
+  Smoother smoother(live.graph);
+  Optimizer optimize_anew(anew.graph), optimize_window(window.graph);
+  std::vector<double> seconds_live, seconds_anew, seconds_window, ratio;
+  const Options options{.max_iterations = 1, .threads = 1};
+  Options local = options;
+  Report report, report_window;
+  while (!anew.at_end()) {
+    for (Drive<Pose>* drive : {&live, &anew, &window}) drive->append();
+    if (anew.poses() + kSteps < simulation.graph.vertex_count()) {
+      if (anew.poses() % kStepsBetweenOptima != 0) continue;
+      smoother.update();
+      for (Optimizer* optimizer : {&optimize_anew, &optimize_window}) {
         optimizer->set_options({.threads = 1});
         optimizer->run(report);
       }
+      optimize_anew.set_options(options);
       continue;
     }
-    anew.touch();
     local.vertices = window.window(10);
-    seconds_extended.push_back(timed(optimize_extended, options, report));
-    seconds_anew.push_back(timed(optimize_anew, options, report_anew));
-    seconds_window.push_back(timed(optimize_window, local, report_window));
-    ratio.push_back(seconds_anew.back() / seconds_extended.back());
-    extensions += report.plan_extended ? 1 : 0;
+    seconds_live.push_back(timed([&] { smoother.update(); }));
+    seconds_anew.push_back(timed([&] { optimize_anew.run(report); }));
+    seconds_window.push_back(timed([&] {
+      optimize_window.set_options(local);
+      optimize_window.run(report_window);
+    }));
+    ratio.push_back(seconds_anew.back() / seconds_live.back());
   }
-  std::printf("| %s | %u | %u | %.3f | %.3f | %.2f | %.3f | %d of %zu |\n",
-              std::string(to_string(world)).c_str(), report.vertices, report.edges,
-              1e3 * median(seconds_anew), 1e3 * median(seconds_extended), median(ratio),
-              1e3 * median(seconds_window), extensions, ratio.size());
+  std::printf("| %s | %u | %u | %.3f | %.3f | %.2f | %.3f |\n", std::string(to_string(world)).c_str(),
+              report.vertices, report.edges, 1e3 * median(seconds_live), 1e3 * median(seconds_anew),
+              median(ratio), 1e3 * median(seconds_window));
 }
 
 }  // namespace
@@ -126,10 +136,9 @@ int main(int argc, char** argv) {
   using namespace boxplus;
   const int poses = argc > 1 ? std::atoi(argv[1]) : 2000;
   std::printf(
-      "Median CPU time of a step with one iteration on one thread [ms]\n\n"
-      "| World | Poses | Edges | New plan | Extended plan | New / extended | Window of 10 | Plans extended "
-      "|\n"
-      "|---|---|---|---|---|---|---|---|\n");
+      "Median CPU time of a step on one thread [ms]\n\n"
+      "| World | Poses | Edges | Smoother | New plan | New plan / Smoother | Window of 10 |\n"
+      "|---|---|---|---|---|---|---|\n");
   bench::measure<SE2>(World::kManhattan, poses);
   bench::measure<SE2>(World::kStreets, poses);
   bench::measure<SE3>(World::kSphere, poses);

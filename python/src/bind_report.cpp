@@ -107,7 +107,6 @@ constexpr std::tuple kReport{Member{"status", &Report::status},
                              Member{"threads", &Report::threads},
                              Member{"workers", &Report::workers},
                              Member{"plan_reused", &Report::plan_reused},
-                             Member{"plan_extended", &Report::plan_extended},
                              Member{"time", &Report::time}};
 
 }  // namespace

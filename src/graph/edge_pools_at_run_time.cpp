@@ -38,7 +38,7 @@ EdgeRef Graph::add_edge(std::uint32_t pool, std::span<const VertexRef> vertices,
   }
   check_distinct(vertices);
   const std::uint32_t slot = add(slots);
-  note_addition();
+  note_new_structure();
   const EdgeRef edge{pool, slot, edges.generation(slot)};
   note_change(edge);
   if (incidence_) index_edge(edge, vertices);

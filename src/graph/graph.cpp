@@ -147,7 +147,7 @@ void Graph::change_id(VertexRef vertex, Id new_id) {
   ids.erase(pool.id(vertex.slot));
   ids.insert(new_id, vertex);
   pool.ids_[vertex.slot] = new_id;
-  note_rewrite();
+  note_new_structure();
 }
 
 int Graph::tangent_dim(VertexRef vertex) const {
@@ -158,7 +158,7 @@ int Graph::tangent_dim(VertexRef vertex) const {
 void Graph::set_fixed(VertexRef vertex, bool fixed) {
   if (is_fixed(vertex) == fixed) return;
   pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, fixed);
-  note_rewrite();
+  note_new_structure();
   note_change(vertex);
 }
 
@@ -180,7 +180,7 @@ void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
   }
   if (std::ranges::equal(sorted, fixed_directions(vertex))) return;
   pools_.vertices[vertex.pool]->fixed_directions_.set(vertex.slot, std::move(sorted));
-  note_rewrite();
+  note_new_structure();
   note_change(vertex);
 }
 
@@ -217,7 +217,7 @@ void Graph::set_bounds(VertexRef vertex, int entry, double lower, double upper) 
   const bool has_bounds = !bounds.empty();
   pool.bounds_.set(vertex.slot, std::move(bounds));
   note_change(vertex);
-  if (had_bounds != has_bounds) note_rewrite();  // the treatment of the gauge depends on it
+  if (had_bounds != has_bounds) note_new_structure();  // the treatment of the gauge depends on it
 }
 
 std::span<const detail::Bound> Graph::bounds(VertexRef vertex) const {
@@ -228,7 +228,7 @@ std::span<const detail::Bound> Graph::bounds(VertexRef vertex) const {
 void Graph::set_eliminated(VertexRef vertex, bool eliminated) {
   if (is_eliminated(vertex) == eliminated) return;
   pools_.vertices[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kEliminated, eliminated);
-  note_rewrite();
+  note_new_structure();
 }
 
 bool Graph::is_eliminated(VertexRef vertex) const {
@@ -289,7 +289,7 @@ void Graph::set_level(EdgeRef edge, int level) {
   if (pool.level(edge.slot) == level) return;
   if (pool.levels_.empty()) pool.levels_.resize(pool.slots(), 0);
   pool.levels_[edge.slot] = level;
-  note_rewrite();
+  note_new_structure();
   note_change(edge);
 }
 
@@ -301,7 +301,7 @@ int Graph::level(EdgeRef edge) const {
 void Graph::remove(EdgeRef edge) {
   check(edge);
   pools_.edges[edge.pool]->remove(edge.slot);
-  note_rewrite();
+  note_new_structure();
   note_change(edge);
 }
 
@@ -368,7 +368,7 @@ void Graph::pop() {
     for (std::size_t k = 0; k < part.slots.size(); ++k)
       resized |= part.slots[k] != detail::VertexPool::kNoSlot && pool.tangent_dim(part.slots[k]) != dims[k];
   }
-  if (resized) note_rewrite();
+  if (resized) note_new_structure();
   note_moved();
 }
 
@@ -411,7 +411,7 @@ void Graph::clear() {
   detail::ChangeLog* const log = log_;
   Graph empty;
   take_elements(empty);
-  revision_ = last_rewrite_ = revision;
+  revision_ = revision;
   log_ = log;
   note_moved();
 }

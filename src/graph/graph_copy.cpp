@@ -18,7 +18,6 @@ Graph::Graph(const Graph& other)
       next_id_(other.next_id_),
       next_parameter_id_(other.next_parameter_id_),
       revision_(other.revision_),
-      last_rewrite_(other.last_rewrite_),
       stack_(other.stack_) {}
 
 Graph& Graph::operator=(const Graph& other) {
@@ -43,7 +42,6 @@ void Graph::take_elements(Graph& other) noexcept {
   next_id_ = other.next_id_;
   next_parameter_id_ = other.next_parameter_id_;
   revision_ = other.revision_;
-  last_rewrite_ = other.last_rewrite_;
   stack_ = std::move(other.stack_);
   incidence_ = std::move(other.incidence_);
   log_ = other.log_ = nullptr;  // the observers of both graphs see that their lives are over

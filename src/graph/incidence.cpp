@@ -88,7 +88,7 @@ void Graph::remove(VertexRef vertex) {
   detail::VertexPool& pool = *pools_.vertices[vertex.pool];
   (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
   pool.release_slot(vertex.slot);
-  note_rewrite();
+  note_new_structure();
   note_change(vertex);
 }
 

@@ -48,7 +48,8 @@ DenseModel eliminated(const DenseModel& model, std::size_t count) {
   }
   DenseModel result;
   result.vertices.assign(model.vertices.begin() + static_cast<std::ptrdiff_t>(count), model.vertices.end());
-  for (std::size_t k = count + 1; k < model.offset.size(); ++k) result.offset.push_back(model.offset[k] - gone);
+  for (std::size_t k = count + 1; k < model.offset.size(); ++k)
+    result.offset.push_back(model.offset[k] - gone);
   result.H = model.H.bottomRightCorner(rest, rest) - gain * model.H.topRightCorner(gone, rest);
   result.H = (result.H + result.H.transpose().eval()) / 2;
   result.b = model.b.tail(rest) - gain * model.b.head(gone);

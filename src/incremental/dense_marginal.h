@@ -30,8 +30,8 @@ struct DenseModel {
 /// left out.
 DenseModel eliminated(const DenseModel& model, std::size_t count);
 
-/// Adds the prior with this model to the graph. `means` has a pool for each vertex pool of the graph, with the
-/// points at which the model holds.
+/// Adds the prior with this model to the graph. `means` has a pool for each vertex pool of the graph, with
+/// the points at which the model holds.
 EdgeRef add_marginal_prior(Graph& graph, const DenseModel& model,
                            std::span<const std::unique_ptr<detail::VertexPool>> means);
 

@@ -38,8 +38,8 @@ std::array<bool, 2> differ(const detail::Frame& a, const detail::Frame& b, doubl
 
 }  // namespace
 
-LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options)
-    : graph_(graph), options_(options), linearizer_(graph) {
+LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options, const std::set<EdgeRef>& aside)
+    : graph_(graph), options_(options), aside_(aside), linearizer_(graph) {
   detail::ChangeLog all;
   for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
     const detail::VertexPool& pool = *graph.vertex_pools()[p];
@@ -94,7 +94,8 @@ bool LiveProblem::hold(const Plan& plan) {
     directions.emplace_back(plan.block_vertex[k], static_cast<int>(scalar - offset[k]));
   }
   if (may_be_anchored_) {
-    for (std::size_t p = 0; p < is_relative_.size(); ++p) is_relative_[p] = graph_.edge_pools()[p]->slots() > 0;
+    for (std::size_t p = 0; p < is_relative_.size(); ++p)
+      is_relative_[p] = graph_.edge_pools()[p]->slots() > 0;
   }
   may_be_anchored_ = false;
   const bool is_same = directions == held_directions_ &&
@@ -128,8 +129,8 @@ void LiveProblem::drop_stale_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   const EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term == kNone) return;
-  const bool remains = pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation &&
-                       pool.level(edge.slot) == 0;
+  const bool remains =
+      pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation && pool.level(edge.slot) == 0;
   if (!remains) remove_term({edge.pool, edge.slot});
 }
 
@@ -140,8 +141,8 @@ bool LiveProblem::can_move(std::uint32_t pool, std::uint32_t slot) const {
 void LiveProblem::apply_vertex(VertexRef vertex) {
   const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
   VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
-  const bool is_same = entry.is_known && pool.alive(vertex.slot) &&
-                       pool.generation(vertex.slot) == entry.generation;
+  const bool is_same =
+      entry.is_known && pool.alive(vertex.slot) && pool.generation(vertex.slot) == entry.generation;
   if (!is_same) entry.is_held = false;  // another vertex uses the slot
   const bool moves = pool.alive(vertex.slot) && can_move(vertex.pool, vertex.slot);
   const bool has_place =
@@ -169,20 +170,32 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
   entry.moved = moves;
 }
 
+void LiveProblem::apply_verdict(EdgeRef edge) {
+  if (aside_.contains(edge) && edges_[edge.pool][edge.slot].term != kNone)
+    return remove_term({edge.pool, edge.slot});
+  apply_edge(edge);
+}
+
 /// Makes a term for the edge if it takes part, or queues the edge if it has a term.
 void LiveProblem::apply_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term != kNone) return queue({edge.pool, edge.slot});
   if (!pool.alive(edge.slot) || pool.level(edge.slot) != 0) return;
+  if (!aside_.empty() && aside_.contains({edge.pool, edge.slot, pool.generation(edge.slot)})) return;
   if (const_cast<detail::EdgePool&>(pool).shift(edge.slot) != nullptr)
     throw InvalidArgument("Smoother: expected edges without constraints; use optimize()");
   blocks_.clear();
   const auto slots = pool.vertex_slots(edge.slot);
+  bool is_closure = slots.size() > 1;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t vertex_pool = pool.vertex_pool(edge.slot, static_cast<int>(i));
-    if (can_move(vertex_pool, slots[i])) blocks_.push_back(require_block(vertex_pool, slots[i]));
+    if (!can_move(vertex_pool, slots[i])) continue;
+    blocks_.push_back(require_block(vertex_pool, slots[i]));
+    is_closure = is_closure && factor_.root_of(blocks_.back()) != kNone;
   }
+  if (options_.sets_outliers_aside && is_closure && !blocks_.empty())
+    closures_.push_back({edge.pool, edge.slot, pool.generation(edge.slot)});
   note_anchor(edge.pool, edge.slot);
   if (blocks_.empty()) return;
   entry.generation = pool.generation(edge.slot);
@@ -207,7 +220,8 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   if (entry.block != kNone) return entry.block;
   const detail::VertexPool& pool = *graph_.vertex_pools()[p];
   if (!pool.bounds(slot).empty())
-    throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(slot)) + " has bounds; use optimize()");
+    throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(slot)) +
+                          " has bounds; use optimize()");
   const std::vector<std::uint8_t>& kinds = kinds_of(p, slot);
   noticeable_.clear();
   for (int i = 0; i < pool.tangent_dim(slot); ++i)
@@ -408,7 +422,8 @@ void LiveProblem::place(const detail::EdgePool& pool, std::uint32_t edge, Index 
   for (std::size_t i = 0; i < members_.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       const bool moves = members_[i] != kNone && members_[j] != kNone;
-      scatter_.targets.push_back(moves ? factor_.block_of(term, members_[i], members_[j]) : Scatter::kNowhere);
+      scatter_.targets.push_back(moves ? factor_.block_of(term, members_[i], members_[j])
+                                       : Scatter::kNowhere);
     }
   }
 }
@@ -510,7 +525,8 @@ std::vector<VertexRef> LiveProblem::followers(std::span<const VertexRef> leaving
   };
   const auto for_each_neighbor = [&](Index b, auto&& f) {
     for (const Index term : factor_.terms_of(b)) {
-      if (dynamic_cast<const MarginalPool*>(graph_.edge_pools()[edge_of_[term].pool].get()) != nullptr) continue;
+      if (dynamic_cast<const MarginalPool*>(graph_.edge_pools()[edge_of_[term].pool].get()) != nullptr)
+        continue;
       for (const Index other : factor_.blocks_of(term)) {
         if (other != b) f(other);
       }
@@ -557,7 +573,8 @@ void LiveProblem::marginalize(std::span<const VertexRef> vertices) {
     const auto blocks = factor_.blocks_of(term);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const Eigen::Index rows = factor_.dim(blocks[i]), row = model.first_of(vertex_of_[blocks[i]]);
-      model.b.segment(row, rows) += Eigen::Map<const Eigen::VectorXd>(values + factor_.gradient_of(term, i), rows);
+      model.b.segment(row, rows) +=
+          Eigen::Map<const Eigen::VectorXd>(values + factor_.gradient_of(term, i), rows);
       for (std::size_t j = 0; j <= i; ++j) {
         const Eigen::Index columns = factor_.dim(blocks[j]), column = model.first_of(vertex_of_[blocks[j]]);
         const Eigen::Map<const Eigen::MatrixXd> part(values + factor_.block_of(term, i, j), rows, columns);

@@ -4,12 +4,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "boxplus/incremental/smoother.h"
+#include "boxplus/incremental/smoother_options.h"
 #include "linear/incremental/incremental_factor.h"
 #include "linearize/edge_linearizer.h"
 #include "linearize/tile_memory.h"
@@ -24,7 +25,8 @@ class LiveProblem {
   using Index = IncrementalFactor::Index;
   static constexpr Index kNone = IncrementalFactor::kNone;
 
-  LiveProblem(Graph& graph, const SmootherOptions& options);
+  /// The edges in `aside` take no part.
+  LiveProblem(Graph& graph, const SmootherOptions& options, const std::set<EdgeRef>& aside);
 
   /// Adapts blocks and terms to changes of the graph. Edges that have to be linearized are queued.
   void apply(const detail::ChangeLog& log);
@@ -50,16 +52,21 @@ class LiveProblem {
   /// what the options allow.
   double relinearize(std::span<const Index> blocks, double scale);
 
+  /// The edges between vertices that were there before, that were added or edited since the last call.
+  std::vector<EdgeRef> take_closures() { return std::exchange(closures_, {}); }
+  /// Adapts to an edge that was set aside or taken back.
+  void apply_verdict(EdgeRef edge);
   /// The vertices that have got a block since the last call.
   std::vector<VertexRef> take_new_vertices() { return std::exchange(new_vertices_, {}); }
   /// The vertices that share an edge with `leaving`, and that `stays` does not name, nor any other vertex of
   /// their edges. Priors of earlier calls of marginalize() do not count as edges.
   std::vector<VertexRef> followers(std::span<const VertexRef> leaving,
                                    detail::FunctionRef<bool(VertexRef)> stays) const;
-  /// Replaces vertices in the graph by a prior on their neighbors, with the linearization that the terms have.
-  /// The linearization points of these neighbors do not move any more, because the prior would contradict the
-  /// other edges in directions that no edge measures (Huang, Mourikis and Roumeliotis, "Observability-based
-  /// rules for designing consistent EKF SLAM estimators", IJRR 2010). The next apply() adapts the terms.
+  /// Replaces vertices in the graph by a prior on their neighbors, with the linearization that the terms
+  /// have. The linearization points of these neighbors do not move any more, because the prior would
+  /// contradict the other edges in directions that no edge measures (Huang, Mourikis and Roumeliotis,
+  /// "Observability-based rules for designing consistent EKF SLAM estimators", IJRR 2010). The next apply()
+  /// adapts the terms.
   void marginalize(std::span<const VertexRef> vertices);
 
   IncrementalFactor& factor() { return factor_; }
@@ -114,6 +121,7 @@ class LiveProblem {
 
   Graph& graph_;
   const SmootherOptions& options_;
+  const std::set<EdgeRef>& aside_;
   IncrementalFactor factor_;
   EdgeLinearizer linearizer_;
   std::vector<std::vector<VertexEntry>> vertices_;           // per pool and slot
@@ -133,10 +141,11 @@ class LiveProblem {
   std::uint64_t transaction_ = 0;
   std::vector<Index> maybe_unused_;
   std::vector<VertexRef> new_vertices_;
-  std::vector<EdgeRef> again_;                // edges whose vertices have changed
-  std::vector<Index> blocks_, members_;       // of an edge; scratch memory
+  std::vector<EdgeRef> closures_;
+  std::vector<EdgeRef> again_;           // edges whose vertices have changed
+  std::vector<Index> blocks_, members_;  // of an edge; scratch memory
   std::vector<double> noticeable_;
-  std::vector<std::uint64_t> pass_of_;        // per block: the last linearize()
+  std::vector<std::uint64_t> pass_of_;  // per block: the last linearize()
   std::uint64_t pass_ = 0;
   std::unique_ptr<TileMemory> memory_;
   std::size_t memory_values_ = 0, memory_rows_ = 0, memory_dense_ = 0;

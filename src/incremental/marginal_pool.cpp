@@ -112,10 +112,9 @@ void MarginalPool::errors(std::span<const std::uint32_t> edges, double* out) con
   for (const std::uint32_t edge : edges) {
     const dense_prior::Rows& rows = priors_[edge].rows;
     delta.resize(static_cast<std::size_t>(rows.cols));
-    for_each_vertex(edge, [&](const detail::VertexPool& pool, std::uint32_t slot, const detail::SavedEstimates& means,
-                              std::size_t k, int first) {
-      pool.difference(slot, nullptr, means, k, delta.data() + first);
-    });
+    for_each_vertex(edge, [&](const detail::VertexPool& pool, std::uint32_t slot,
+                              const detail::SavedEstimates& means, std::size_t k,
+                              int first) { pool.difference(slot, nullptr, means, k, delta.data() + first); });
     dense_prior::evaluate(rows, delta.data(), out);
     out += rows.rows;
   }
@@ -132,8 +131,8 @@ void MarginalPool::linearize(std::span<const std::uint32_t> edges, detail::EdgeT
   errors(edges, tile.error);
   double* out = tile.jacobian;
   detail::NumericDerivative differentiate;
-  for_each_vertex(edge, [&](const detail::VertexPool& pool, std::uint32_t slot, const detail::SavedEstimates& means,
-                            std::size_t k, int first) {
+  for_each_vertex(edge, [&](const detail::VertexPool& pool, std::uint32_t slot,
+                            const detail::SavedEstimates& means, std::size_t k, int first) {
     const int dim = pool.tangent_dim(slot);
     const auto size = static_cast<std::size_t>(dim);
     std::vector<double> delta(size), D(size * size, 0.0);

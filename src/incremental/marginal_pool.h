@@ -33,7 +33,8 @@ class MarginalPool final : public detail::EdgePool {
   detail::EdgeShape shape(std::uint32_t edge) const override;
   bool uniform_shape() const override { return false; }
   void errors(std::span<const std::uint32_t> edges, double* out) const override;
-  void linearize(std::span<const std::uint32_t> edges, detail::EdgeTile& tile, bool force_numeric) const override;
+  void linearize(std::span<const std::uint32_t> edges, detail::EdgeTile& tile,
+                 bool force_numeric) const override;
   detail::JacobianSource jacobian_source() const override { return detail::JacobianSource::kNumeric; }
   void reserve(std::size_t edges) override;
 

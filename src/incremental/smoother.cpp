@@ -8,6 +8,7 @@
 #include <string>
 
 #include "boxplus/optimize/optimizer.h"
+#include "incremental/closure_judge.h"
 #include "incremental/lag_window.h"
 #include "incremental/live_problem.h"
 #include "plan/plan.h"
@@ -33,8 +34,8 @@ class Smoother::Impl {
     if (life_->is_over) throw InvalidArgument("Smoother: its graph was destroyed or moved");
     SmootherReport report;
     const StopToken flag(options_.stop), limit(options_.stop, begin, options_.time_limit_s);
-    take_changes();
     work_ = {};
+    options_.sets_outliers_aside ? judge(report, finishes, flag) : take_changes();
     try {
       iterate(report, finishes, flag, limit);
     } catch (...) {
@@ -112,6 +113,7 @@ class Smoother::Impl {
     if (!graph_.contains(vertex)) throw InvalidArgument("Smoother: stale vertex handle");
     window_.set_time(vertex, seconds);
   }
+  std::vector<EdgeRef> set_aside() const { return {judge_.aside().begin(), judge_.aside().end()}; }
   SmootherOptions& options() { return options_; }
 
  private:
@@ -122,13 +124,39 @@ class Smoother::Impl {
     if (begins) {
       log_.clear();
       problem_.reset();
-      problem_ = std::make_unique<LiveProblem>(graph_, options_);
+      problem_ = std::make_unique<LiveProblem>(graph_, options_, judge_.aside());
     } else {
       problem_->apply(log_);
       log_.clear();
     }
     problem_->begin();
     if (problem_->may_be_anchored()) anchor();
+  }
+
+  /// Judges the closures that are new, and, if it is time, all of them. If the search changes any verdict,
+  /// the problem begins anew from its estimates.
+  void judge(SmootherReport& report, bool finishes, const StopToken& flag) {
+    for (const EdgeRef& edge : log_.edges) judge_.forget(edge);
+    const bool begins = log_.everything || is_broken_;
+    take_changes();
+    if (begins) judge_.expect_search();
+    for (const EdgeRef& edge : problem_->take_closures()) {
+      if (begins || !graph_.is_enabled(edge)) continue;
+      is_broken_ = false;  // the factor is that of the last update, which succeeded
+      const bool accepts = judge_.accepts(edge, preview(edge), options_.false_alarm);
+      is_broken_ = true;
+      if (accepts) continue;
+      problem_->apply_verdict(edge);
+      report.set_aside.push_back(edge);
+    }
+    if (!judge_.is_search_due(finishes)) return;
+    const std::vector<EdgeRef> changed = judge_.search(graph_, options_.false_alarm, flag);
+    for (const EdgeRef& edge : changed) {
+      const bool is_aside = judge_.aside().contains(edge);
+      if (std::erase(is_aside ? report.taken_back : report.set_aside, edge) == 0)
+        (is_aside ? report.set_aside : report.taken_back).push_back(edge);
+    }
+    if (!changed.empty()) log_.everything = true, take_changes();
   }
 
   /// Linearizes, factorizes and solves until no vertex has to be linearized anew.
@@ -163,7 +191,8 @@ class Smoother::Impl {
       constexpr int kMostGrowths = 3;
       if (growths >= kMostGrowths || !std::isfinite(distance)) return start_over(report);
       constexpr int kMostToFinish = 100;
-      if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations)) return end(report, Reason::kMaxIterations);
+      if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations))
+        return end(report, Reason::kMaxIterations);
       if (limit.raised()) return end(report, flag.raised() ? Reason::kStopFlag : Reason::kTimeLimit);
     }
   }
@@ -193,23 +222,24 @@ class Smoother::Impl {
     Options options{.start = Start::kAutomatic, .threads = 1};
     options.stop = options_.stop;
     options.numeric_jacobians = options_.numeric_jacobians;
-    const Report batch = optimize(graph_, options);
+    Graph copy = judge_.copy_without_aside(graph_);
+    const Report batch = optimize(copy, options);
+    take_estimates(graph_, copy);
+    log_.everything = true;
     report.started_over = true;
-    report.reason = batch.converged()                            ? SmootherReport::Reason::kConverged
+    report.reason = batch.converged()                           ? SmootherReport::Reason::kConverged
                     : batch.reason == Report::Reason::kStopFlag ? SmootherReport::Reason::kStopFlag
-                                                                 : SmootherReport::Reason::kMaxIterations;
+                                                                : SmootherReport::Reason::kMaxIterations;
   }
 
   /// Holds vertices and directions of components that nothing anchors, and no others. Returns false if
   /// nothing changes.
-  bool anchor() {
-    return problem_->hold(make_plan(graph_, {}));
-  }
+  bool anchor() { return problem_->hold(make_plan(graph_, {})); }
 
   void fail(SmootherReport& report, LiveProblem::Index block) {
     report.reason = SmootherReport::Reason::kNotDetermined;
-    report.message = "vertex " + std::to_string(graph_.id(problem_->vertex(block))) +
-                     " is not determined by its edges";
+    report.message =
+        "vertex " + std::to_string(graph_.id(problem_->vertex(block))) + " is not determined by its edges";
     problem_->restore();
   }
 
@@ -217,7 +247,8 @@ class Smoother::Impl {
     report.reason = SmootherReport::Reason::kNonFinite;
     report.message = "the error or the Jacobian of an edge is not finite: edge of";
     for (const VertexRef& vertex : graph_.vertices(problem_->non_finite()))
-      report.message += (report.message.ends_with("of") ? " vertex " : ", ") + std::to_string(graph_.id(vertex));
+      report.message +=
+          (report.message.ends_with("of") ? " vertex " : ", ") + std::to_string(graph_.id(vertex));
     problem_->restore();
   }
 
@@ -225,6 +256,7 @@ class Smoother::Impl {
   std::shared_ptr<detail::LifeState> life_;
   SmootherOptions options_;
   detail::ChangeLog log_;
+  ClosureJudge judge_;
   std::unique_ptr<LiveProblem> problem_;
   FactorWork work_;  // of the current update
   LagWindow window_;
@@ -234,12 +266,18 @@ class Smoother::Impl {
 
 std::string_view to_string(SmootherReport::Reason reason) {
   switch (reason) {
-    case SmootherReport::Reason::kConverged: return "converged";
-    case SmootherReport::Reason::kMaxIterations: return "maximum number of iterations";
-    case SmootherReport::Reason::kTimeLimit: return "time limit";
-    case SmootherReport::Reason::kStopFlag: return "stop flag";
-    case SmootherReport::Reason::kNonFinite: return "not finite";
-    case SmootherReport::Reason::kNotDetermined: return "not determined";
+    case SmootherReport::Reason::kConverged:
+      return "converged";
+    case SmootherReport::Reason::kMaxIterations:
+      return "maximum number of iterations";
+    case SmootherReport::Reason::kTimeLimit:
+      return "time limit";
+    case SmootherReport::Reason::kStopFlag:
+      return "stop flag";
+    case SmootherReport::Reason::kNonFinite:
+      return "not finite";
+    case SmootherReport::Reason::kNotDetermined:
+      return "not determined";
   }
   return "unknown";
 }
@@ -256,6 +294,10 @@ SmootherReport Smoother::update() {
 
 SmootherReport Smoother::finish() {
   return impl_->update(true);
+}
+
+std::vector<EdgeRef> Smoother::set_aside() const {
+  return impl_->set_aside();
 }
 
 void Smoother::set_time(VertexRef vertex, double seconds) {

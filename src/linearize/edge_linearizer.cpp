@@ -54,9 +54,9 @@ bool EdgeLinearizer::add(const Scatter& scatter, std::uint32_t begin, std::uint3
   });
 }
 
-bool EdgeLinearizer::for_each_tile(const Scatter& scatter, std::uint32_t begin, std::uint32_t end, TileMemory& memory,
-                               const LinearizeOptions& options, bool in_lanes, PacedStop& pace,
-                               detail::FunctionRef<void(const PlacedTile&)> f) const {
+bool EdgeLinearizer::for_each_tile(const Scatter& scatter, std::uint32_t begin, std::uint32_t end,
+                                   TileMemory& memory, const LinearizeOptions& options, bool in_lanes,
+                                   PacedStop& pace, detail::FunctionRef<void(const PlacedTile&)> f) const {
   const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
   const bool uniform = pool.uniform_shape();
   const detail::EdgeShape shape = pool.shape(scatter.edges[begin]);

@@ -39,12 +39,18 @@ void evaluate(const detail::EdgePool& pool, std::span<const std::uint32_t> edges
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
-    : graph_(&graph), plan_(&plan), edges_(graph), edge_chi2_(plan.edge_count), chunk_sums_(plan.chunks.size()) {
+    : graph_(&graph),
+      plan_(&plan),
+      edges_(graph),
+      edge_chi2_(plan.edge_count),
+      chunk_sums_(plan.chunks.size()) {
   const std::size_t copies = plan.eliminated_blocks > 0 ? plan.chunks.size() - 1 : 0;
   gradient_.resize(plan.scalars() + copies * plan.shared_scalars());
   std::size_t values = plan.structure.nonzero_values() - plan.first_stored_value();
   for (const Chunk& chunk : plan.chunks) values += chunk.window.size;
-  allocate_values(values + copies * plan.shared_values());
+  values += copies * plan.shared_values();
+  values_ = std::make_unique_for_overwrite<double[]>(values);
+  detail::prefer_large_pages(values_.get(), values * sizeof(double));
   for (int worker = 0; worker < plan.workers; ++worker) {
     memory_.emplace_back(static_cast<std::size_t>(plan.max_tile_values),
                          static_cast<std::size_t>(plan.max_tile_rows), plan.max_dense_values);
@@ -52,20 +58,6 @@ Linearizer::Linearizer(const Graph& graph, const Plan& plan)
 }
 
 Linearizer::~Linearizer() = default;
-
-void Linearizer::allocate_values(std::size_t room) {
-  values_.reset();
-  values_ = std::make_unique_for_overwrite<double[]>(room);
-  values_room_ = room;
-  detail::prefer_large_pages(values_.get(), room * sizeof(double));
-}
-
-void Linearizer::extend() {
-  const std::size_t values = plan_->structure.nonzero_values();
-  if (values > values_room_) allocate_values(values + values / 4);
-  gradient_.resize(plan_->scalars());
-  edge_chi2_.resize(plan_->edge_count);
-}
 
 /// Calls f for each chunk until it returns false: then, the token was raised. One worker runs all chunks of a
 /// slice, in order.

@@ -17,8 +17,7 @@ namespace boxplus {
 
 struct VectorLayout;
 
-/// Computes H and the gradient in each iteration, and stores them. Allocates only in the constructor and in
-/// extend().
+/// Computes H and the gradient in each iteration, and stores them. Allocates only in the constructor.
 ///
 /// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0. Therefore, F(x ⊞ δ) ≈ F + 2 gradientᵀδ +
 /// δᵀHδ, and the Gauss-Newton step solves H δ = −gradient. The results have the same bits for any number of
@@ -27,9 +26,6 @@ class Linearizer {
  public:
   Linearizer(const Graph& graph, const Plan& plan);
   ~Linearizer();
-
-  /// Adapts to the plan after extend_plan() (src/plan/extend_plan.h). Allocates.
-  void extend();
 
   void linearize(const LinearizeOptions& options) {
     linearize(options, static_cast<int>(plan_->chunks.size()), [](const Batch&) {});
@@ -83,14 +79,12 @@ class Linearizer {
                     detail::FunctionRef<void(const PlacedTile&)> f);
   VectorLayout layout_of(const Chunk& chunk) const;
   void evaluate_share(int worker, int workers);
-  void allocate_values(std::size_t room);
 
   const Graph* graph_;
   const Plan* plan_;
   EdgeLinearizer edges_;
   StopToken stop_;
   std::atomic<bool> stopped_ = false;
-  std::size_t values_room_ = 0;
   std::unique_ptr<double[]> values_;  // not initialized, so that the workers are the first to touch its pages
   std::vector<double> gradient_, edge_chi2_;  // values_ and gradient_ end with the copies of the chunks
   std::vector<double> chunk_sums_;            // of curvature()

@@ -138,9 +138,7 @@ RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, 
   {
     const ScopedTimer adder(report.time.plan_s);
     if (!planned.is_current(*graph, options)) covariances.forget();
-    const PlannedSystem::Origin origin = planned.update(*graph, options, stop.now());
-    report.plan_reused = origin == PlannedSystem::Origin::kReused;
-    report.plan_extended = origin == PlannedSystem::Origin::kExtended;
+    report.plan_reused = planned.update(*graph, options, stop.now());
   }
   planned.system().configure(options, report.time, stop.now());
   Algorithm& algorithm = custom != nullptr ? *custom : chosen_algorithm();

@@ -41,8 +41,8 @@ struct VertexList {
   std::vector<std::uint32_t> offsets;  ///< index of the first entry of each vertex in a step vector
 };
 
-/// The active edges of one pool, in slot order; in an extended plan, those that were added come last. `first`
-/// is the index of the first of these edges among all active edges.
+/// The active edges of one pool, in slot order. `first` is the index of the first of these edges among all
+/// active edges.
 struct EdgeList {
   std::uint32_t pool;
   std::uint32_t first;

@@ -27,18 +27,6 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
       bounded_(model_, gauge_free_),
       trial_(graph, model_.plan) {}
 
-bool BatchSystem::extend(const PlanRequest& request, const PlannedElements& planned) {
-  if (!extensible_) extensible_ = is_extensible(model_.graph, plan());
-  if (!*extensible_) return false;
-  const auto growth = extend_plan(model_.graph, request, planned, model_.plan);
-  if (!growth) return false;
-  trial_.order().forget();
-  exact_.precise().forget_plan();
-  model_.extend();
-  factored_.extend(growth->of_structure(), request.stop);
-  return true;
-}
-
 void BatchSystem::configure(const Options& options, detail::Timings& timings, const StopToken& stop) {
   trial_.order().forget();
   last_chi2_ = 0;

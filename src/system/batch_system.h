@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,13 +14,10 @@ namespace boxplus {
 class BatchSystem final : public RunSystem {
  public:
   /// Makes the plan and allocates all memory. `graph` must outlive this system. Its structure must not
-  /// change, except before extend(). `solver` must not be null. Throws Stopped when request.stop is raised.
+  /// change. `solver` must not be null. Throws Stopped when request.stop is raised.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
               SchurMode schur);
 
-  /// Adds the elements that were added to the graph since the plan was made. `planned` tells which these are.
-  /// Returns false if a new plan is needed; this system is then not usable.
-  bool extend(const PlanRequest& request, const PlannedElements& planned);
   /// Sets the options that may differ from run to run, and reads the bounds. From now on, times are added to
   /// `timings`, and linear solvers stop when `stop` is raised.
   void configure(const Options& options, detail::Timings& timings, const StopToken& stop = {});
@@ -71,9 +67,8 @@ class BatchSystem final : public RunSystem {
   GaugeFreeStep gauge_free_;
   BoundedStep bounded_;
   Trial trial_;
-  double last_chi2_ = 0;            // of the last chi2()
-  bool stopped_ = false;            // of stopped()
-  std::optional<bool> extensible_;  // the result of is_extensible(), once it is known
+  double last_chi2_ = 0;  // of the last chi2()
+  bool stopped_ = false;  // of stopped()
 };
 
 }  // namespace boxplus

@@ -12,27 +12,20 @@ FactoredStep::FactoredStep(Model& model, std::shared_ptr<LinearSolver> solver, S
                            const PlanRequest& request)
     : model_(model),
       solver_(std::move(solver), schur, KeptBlocks::kJoined),
-      streamed_(model.plan, model.linearizer, solver_),
-      threads_(request.threads) {
+      streamed_(model.plan, model.linearizer, solver_) {
   const Plan& plan = model.plan;
-  for (const Chunk& chunk : plan.chunks) elimination_bounds_.push_back(chunk.first_column);
-  elimination_bounds_.push_back(plan.eliminated_blocks);
-  solver_.analyze(plan.structure, hints(), request.stop);
+  std::vector<std::uint32_t> elimination_bounds;
+  for (const Chunk& chunk : plan.chunks) elimination_bounds.push_back(chunk.first_column);
+  elimination_bounds.push_back(plan.eliminated_blocks);
+  solver_.analyze(plan.structure,
+                  {.threads = request.threads,
+                   .eliminated_blocks = plan.eliminated_blocks,
+                   .last = plan.undetermined_blocks,
+                   .may_be_singular = !plan.undetermined_blocks.empty(),
+                   .elimination_bounds = elimination_bounds},
+                  request.stop);
   solver_.leave_out(plan.fixed_scalars);
   streamed_.prepare();
-}
-
-AnalyzeHints FactoredStep::hints() const {
-  const Plan& plan = model_.plan;
-  return {.threads = threads_,
-          .eliminated_blocks = plan.eliminated_blocks,
-          .last = plan.undetermined_blocks,
-          .may_be_singular = !plan.undetermined_blocks.empty(),
-          .elimination_bounds = elimination_bounds_};
-}
-
-void FactoredStep::extend(const StructureGrowth& growth, const StopToken& stop) {
-  if (!solver_.extend(growth, stop)) solver_.analyze(model_.plan.structure, hints(), stop);
 }
 
 void FactoredStep::linearize() {

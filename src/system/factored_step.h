@@ -22,8 +22,6 @@ class FactoredStep {
   FactoredStep(Model& model, std::shared_ptr<LinearSolver> solver, SchurMode schur,
                const PlanRequest& request);
 
-  /// Adapts to an extended plan.
-  void extend(const StructureGrowth& growth, const StopToken& stop);
   /// Forgets what has been expected.
   void begin_run() { expected_.reset(); }
   /// The damping of the first solve() after the next linearize().
@@ -53,7 +51,6 @@ class FactoredStep {
     Damping full;
   };
 
-  AnalyzeHints hints() const;
   void linearize_only();
   bool may_eliminate_early() const;
   void linearize_and_eliminate(const StepDamping& damping);
@@ -63,8 +60,6 @@ class FactoredStep {
   Model& model_;
   SchurSolver solver_;
   StreamedElimination streamed_;
-  int threads_;
-  std::vector<std::uint32_t> elimination_bounds_;
   std::optional<StepDamping> expected_;     // of the solve() after the next linearize()
   std::optional<Elimination> elimination_;  // of the current H
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;

@@ -23,19 +23,9 @@ Model::Model(Graph& observed, Plan made, GaugePolicy policy)
       linearizer(graph, plan),
       assembled(plan.structure, linearizer.values()),
       gauge(graph, plan, policy) {
-  resize_vectors();
-}
-
-void Model::resize_vectors() {
   for (auto* vector : {&gradient, &right_hand_side}) vector->resize(plan.scalars());
   diagonal.resize(plan.scalars());
   if (stores_all_columns() || !plan.fixed_scalars.empty()) product_.resize(plan.scalars());
-}
-
-void Model::extend() {
-  linearizer.extend();
-  assembled = AssembledSystem(plan.structure, linearizer.values());
-  resize_vectors();
 }
 
 void Model::begin_run(const Options& of_run, detail::Timings& timings_of_run) {

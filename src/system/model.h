@@ -10,7 +10,7 @@
 #include "boxplus/linear/linear_solver.h"
 #include "boxplus/system/timings.h"
 #include "linearize/linearizer.h"
-#include "plan/extend_plan.h"
+#include "plan/plan.h"
 #include "system/bounds.h"
 #include "system/gauge_removal.h"
 #include "system/step_diagonal.h"
@@ -23,8 +23,6 @@ struct Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Adapts to an extended plan.
-  void extend();
   void begin_run(const Options& options, detail::Timings& timings_of_run);
   void set_stop(const StopToken& stop);
 
@@ -65,8 +63,6 @@ struct Model {
   detail::Timings* timings = nullptr;
 
  private:
-  void resize_vectors();
-
   std::vector<double> product_;  // of curvature()
 };
 

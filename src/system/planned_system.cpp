@@ -25,12 +25,11 @@ int resolved_threads(const Options& options) {
   return options.threads > 0 ? options.threads : detail::hardware_threads();
 }
 
-PlannedSystem::Origin PlannedSystem::update(Graph& graph, const Options& options, const StopToken& stop) {
-  if (is_current(graph, options)) return Origin::kReused;
+bool PlannedSystem::update(Graph& graph, const Options& options, const StopToken& stop) {
+  if (is_current(graph, options)) return true;
   stop.check();
-  if (system_ != nullptr && suits(options) && extend(graph, stop)) return Origin::kExtended;
   make(graph, options, stop);
-  return Origin::kMade;
+  return false;
 }
 
 /// Whether the plan suits these options. Does not check the revision of the graph.
@@ -49,17 +48,6 @@ bool PlannedSystem::suits(const Options& options) const {
          options_.edges == options.edges;
 }
 
-/// Extends the plan if the only change of the graph's structure is that elements were added. Otherwise,
-/// returns false.
-bool PlannedSystem::extend(Graph& graph, const StopToken& stop) {
-  if (graph.last_rewrite() > revision_) return false;
-  std::unique_ptr<BatchSystem> system = std::move(system_);  // dropped if this throws
-  if (!system->extend(request(stop), elements_)) return false;
-  system_ = std::move(system);
-  note_structure(graph);
-  return true;
-}
-
 void PlannedSystem::make(Graph& graph, const Options& options, const StopToken& stop) {
   system_.reset();  // frees its memory before the new system allocates
   options_ = options;
@@ -73,12 +61,7 @@ void PlannedSystem::make(Graph& graph, const Options& options, const StopToken& 
     solver = make_linear_solver(options_.linear_solver, for_newton_steps(of_solver));
   }
   system_ = std::make_unique<BatchSystem>(graph, request(stop), std::move(solver), options_.schur);
-  note_structure(graph);
-}
-
-void PlannedSystem::note_structure(const Graph& graph) {
   revision_ = graph.revision();
-  elements_.note(graph);
 }
 
 PlanRequest PlannedSystem::request(const StopToken& stop) const {

@@ -19,11 +19,6 @@ void PreciseSolver::forget() {
   is_stiff_.reset();
 }
 
-void PreciseSolver::forget_plan() {
-  forget();
-  analyzed_ = false;
-}
-
 bool PreciseSolver::is_stiff() {
   if (!is_stiff_) is_stiff_ = find_stiff_edge(*graph_, *plan_, options_, kStiffRatio, stop_).has_value();
   return *is_stiff_;

@@ -21,8 +21,6 @@ class PreciseSolver {
   void set_stop(const StopToken& stop) { stop_ = stop; }
   /// Call it when the estimates change.
   void forget();
-  /// Call it when the plan changes. Implies forget().
-  void forget_plan();
 
   /// Whether some edge is stiff (linearize/stiff_edge.h).
   bool is_stiff();

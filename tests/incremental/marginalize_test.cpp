@@ -21,14 +21,15 @@ struct Plane {
     std::mt19937 random(seed);
     std::normal_distribution<> noise(0, 0.02);
     const auto noisy = [&](const SE2& x) { return x * SE2(noise(random), noise(random), noise(random)); };
-    for (int k = 0; k < 8; ++k) points.push_back(graph.add_vertex(Vector2(k + noise(random), 3 + noise(random))));
+    for (int k = 0; k < 8; ++k)
+      points.push_back(graph.add_vertex(Vector2(k + noise(random), 3 + noise(random))));
     for (int k = 0; k < 10; ++k) {
       poses.push_back(graph.add_vertex(noisy(SE2(k, 0, 0))));
       if (k == 0) graph.add_edge(Prior(SE2()), 1e4, poses[0]);
       if (k > 0) graph.add_edge(Between(noisy(SE2(1, 0, 0))), 2500.0, poses[poses.size() - 2], poses.back());
       for (int p = std::max(0, k - 1); p < std::min(8, k + 2); ++p) {
-        const auto edge = graph.add_edge(PointObservation2(Vector2(p - k + noise(random), 3 + noise(random))), 400.0,
-                                         poses.back(), points[static_cast<std::size_t>(p)]);
+        const auto edge = graph.add_edge(PointObservation2(Vector2(p - k + noise(random), 3 + noise(random))),
+                                         400.0, poses.back(), points[static_cast<std::size_t>(p)]);
         if (p % 3 == 0) graph.set_kernel(edge, Huber(1.0));
       }
     }
@@ -63,14 +64,16 @@ TEST(Marginalize, KeepsTheOptimumAndTheCovarianceOfTheOtherVertices) {
     const SE2 difference = all.graph.estimate(all.poses[k]).inverse() * rest.graph.estimate(rest.poses[k]);
     EXPECT_LT(difference.translation().norm(), 1e-6) << k;
     const Eigen::MatrixXd expected = of_all.covariance(std::vector<VertexRef>{all.poses[k]}).of(all.poses[k]);
-    const Eigen::MatrixXd actual = of_rest.covariance(std::vector<VertexRef>{rest.poses[k]}).of(rest.poses[k]);
+    const Eigen::MatrixXd actual =
+        of_rest.covariance(std::vector<VertexRef>{rest.poses[k]}).of(rest.poses[k]);
     EXPECT_LT((expected - actual).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff()) << k;
   }
 }
 
 TEST(Marginalize, GivesAPriorWhoseJacobianIsTheDerivativeOfItsError) {
   Graph graph;
-  const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(SE3(Eigen::Vector3d(1, 2, 3), SO3())), c = graph.add_vertex(SE3(Eigen::Vector3d(2, 2, 2), SO3()));
+  const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(SE3(Eigen::Vector3d(1, 2, 3), SO3())),
+             c = graph.add_vertex(SE3(Eigen::Vector3d(2, 2, 2), SO3()));
   graph.fix(c);
   graph.add_edge(Between(SE3(Eigen::Vector3d(1, 2, 3), SO3())), 1.0, a, b);
   graph.add_edge(Between(SE3(Eigen::Vector3d(2, 2, 2), SO3())), 1.0, a, c);
@@ -159,7 +162,8 @@ TEST(Smoother, KeepsAFixedLagOfPosesWithTheLandmarksThatTheySee) {
   const Eigen::MatrixXd lagged = smoother.covariance({poses.back()});
   Optimizer batch(all, exact());
   EXPECT_TRUE(batch.run().converged());
-  const Eigen::MatrixXd full = batch.covariance(std::vector<VertexRef>{all_poses.back()}).of(all_poses.back());
+  const Eigen::MatrixXd full =
+      batch.covariance(std::vector<VertexRef>{all_poses.back()}).of(all_poses.back());
   EXPECT_LT((lagged - full).cwiseAbs().maxCoeff(), 0.03 * full.cwiseAbs().maxCoeff());
   const Eigen::Vector2d distance(apart.translation()[0], apart.translation()[1]);
   EXPECT_LT(distance.dot(full.topLeftCorner<2, 2>().ldlt().solve(distance)), 0.05);  // a fifth of a σ

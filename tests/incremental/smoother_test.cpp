@@ -29,16 +29,20 @@ double distance_from_batch(const Graph& graph) {
     copy.vertex_pools()[vertex.pool]->get_frame(vertex.slot, batch);
     for (std::size_t i = 0; i < 3; ++i)
       largest = std::max(largest, std::abs(mine.translation[i] - batch.translation[i]));
-    for (std::size_t i = 0; i < 9; ++i) largest = std::max(largest, std::abs(mine.rotation[i] - batch.rotation[i]));
+    for (std::size_t i = 0; i < 9; ++i)
+      largest = std::max(largest, std::abs(mine.rotation[i] - batch.rotation[i]));
   }
   return largest;
 }
 
-/// A robot that drives in a circle and measures its motion and, now and then, an old pose. `random` also draws
-/// edits of the graph.
+/// A robot that drives in a circle and measures its motion and, now and then, an old pose. `random` also
+/// draws edits of the graph.
 class Drive {
  public:
-  explicit Drive(unsigned seed) : random_(seed) { poses_.push_back(graph.add_vertex(SE2())); truth_.push_back(SE2()); }
+  explicit Drive(unsigned seed) : random_(seed) {
+    poses_.push_back(graph.add_vertex(SE2()));
+    truth_.push_back(SE2());
+  }
 
   void step() {
     const SE2 motion(1, 0, 0.3);
@@ -58,15 +62,33 @@ class Drive {
     const std::size_t v = pick(poses_.size());
     const auto e = edges_[pick(edges_.size())];
     switch (pick(9)) {
-      case 0: close(v, pick(poses_.size())); break;
-      case 1: graph.set_information(e, 0.5 + static_cast<double>(pick(100))); break;
-      case 2: graph.set_estimate(poses_[v], graph.estimate(poses_[v]) * SE2(0.2, -0.1, 0.05)); break;
-      case 3: graph.set_fixed(poses_[v], !graph.is_fixed(poses_[v]) && chance(0.3)); break;
-      case 4: graph.set_enabled(e, true); break;
-      case 5: graph.set_measurement(e, Between(noisy(graph.measurement(e).measurement))); break;
-      case 6: graph.set_kernel(e, chance(0.5) ? std::make_shared<Huber>(3.0) : nullptr); break;
-      case 7: remove_edge(); break;
-      default: graph.fix_directions(poses_[v], chance(0.2) ? std::vector<int>{2} : std::vector<int>{}); break;
+      case 0:
+        close(v, pick(poses_.size()));
+        break;
+      case 1:
+        graph.set_information(e, 0.5 + static_cast<double>(pick(100)));
+        break;
+      case 2:
+        graph.set_estimate(poses_[v], graph.estimate(poses_[v]) * SE2(0.2, -0.1, 0.05));
+        break;
+      case 3:
+        graph.set_fixed(poses_[v], !graph.is_fixed(poses_[v]) && chance(0.3));
+        break;
+      case 4:
+        graph.set_enabled(e, true);
+        break;
+      case 5:
+        graph.set_measurement(e, Between(noisy(graph.measurement(e).measurement)));
+        break;
+      case 6:
+        graph.set_kernel(e, chance(0.5) ? std::make_shared<Huber>(3.0) : nullptr);
+        break;
+      case 7:
+        remove_edge();
+        break;
+      default:
+        graph.fix_directions(poses_[v], chance(0.2) ? std::vector<int>{2} : std::vector<int>{});
+        break;
     }
   }
 
@@ -79,7 +101,9 @@ class Drive {
     edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(k));
   }
 
-  std::size_t pick(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+  std::size_t pick(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+  }
   bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
   const std::vector<VertexHandle<SE2>>& poses() const { return poses_; }
 
@@ -165,7 +189,8 @@ TEST(Smoother, HoldsAVertexOfEachPartIfTheGraphIsCutApartAndReleasesItWhenItIsJo
   std::vector<EdgeHandle<Between<SE2>>> edges;
   for (int k = 1; k < 400; ++k) {
     poses.push_back(graph.add_vertex(SE2(k, 0.01 * k, 0)));
-    edges.push_back(graph.add_edge(Between(SE2(1, 0.001, 0.002)), 100.0, poses[poses.size() - 2], poses.back()));
+    edges.push_back(
+        graph.add_edge(Between(SE2(1, 0.001, 0.002)), 100.0, poses[poses.size() - 2], poses.back()));
   }
   Smoother smoother(graph);
   EXPECT_EQ(smoother.update().held.size(), 1u);

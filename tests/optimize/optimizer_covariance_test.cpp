@@ -184,7 +184,7 @@ std::vector<Change> changes() {
          c.graph.set_measurement(c.seen, PointObservation2(Vector2(5, 4)));
          std::ignore = optimizer.run();
        }},
-      {"a run that extends the plan",
+      {"a run that plans again",
        [](Circle& c, Optimizer& optimizer) {
          c.graph.add_edge(Between(SE2(1, 0, 1)), 90.0, c.poses[3], c.poses[9]);
          std::ignore = optimizer.run();

@@ -67,7 +67,7 @@ double median(std::vector<double> values) {
 struct Outcome {
   SmootherReport last;
   double chi2 = 0, worst_s = 0, median_s = 0;
-  std::size_t worst_step = 0, failures = 0;
+  std::size_t worst_step = 0, failures = 0, aside = 0;
   std::vector<Excess> excesses;
   double largest_excess() const {
     double largest = 0;
@@ -82,11 +82,12 @@ Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay
     const SmootherReport report = replay.step();
     if (!report.message.empty() && outcome.failures++ == 0)
       print_message(fmt::format("step {}: {}", replay.done(), report.message));
-    const bool is_due = arguments.compare_every > 0 &&
-                        replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
+    const bool is_due =
+        arguments.compare_every > 0 && replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
     if (is_due) outcome.excesses.push_back(compare_with_batch(graph, replay));
   }
   outcome.last = replay.finish();
+  outcome.aside = replay.smoother().set_aside().size();
   outcome.chi2 = replay.chi2();
   const std::vector<double>& seconds = replay.seconds();
   if (seconds.empty()) return outcome;
@@ -115,6 +116,7 @@ std::string json_of(const ReplayArguments& arguments, const Replay& replay, cons
       {"started_over", totals.started_over},
       {"gflop", 1e-9 * totals.flops},
       {"time_s", {{"total", totals.seconds}, {"worst", outcome.worst_s}, {"median", outcome.median_s}}}};
+  if (arguments.options.sets_outliers_aside) json["set_aside"] = outcome.aside;
   if (arguments.compare_every > 0) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Excess& excess : outcome.excesses)
@@ -133,6 +135,8 @@ std::string summary(const ReplayArguments& arguments, const Replay& replay, cons
       replay.done(), outcome.last.converged() ? "converged" : to_string(outcome.last.reason), outcome.chi2,
       totals.seconds, 1e6 * outcome.median_s, 1e3 * outcome.worst_s, outcome.worst_step, totals.iterations,
       totals.relinearized, totals.refactored, totals.moved, 1e-9 * totals.flops);
+  if (arguments.options.sets_outliers_aside)
+    text += fmt::format("outliers {} loop closures are set aside\n", outcome.aside);
   if (arguments.compare_every > 0)
     text += fmt::format("excess   chi2 is at most {:.2g} times above the optimum so far, in {} comparisons\n",
                         outcome.largest_excess(), outcome.excesses.size());
@@ -165,11 +169,14 @@ int replay_file(const ReplayArguments& arguments) {
 }
 
 void add_options(CLI::App& command, ReplayArguments& arguments) {
-  command.add_option("FILE", arguments.input, "The graph, or - for standard input")->required()->check(file_name());
+  command.add_option("FILE", arguments.input, "The graph, or - for standard input")
+      ->required()
+      ->check(file_name());
   command.add_option("-o,--output", arguments.output, "Write the result to this file")->check(file_name());
   command.add_option("--json", arguments.json, "Write a report to this file, or - for standard output")
       ->check(file_name());
-  command.add_option("--times", arguments.times, "Write the time of each step to this CSV file")->check(file_name());
+  command.add_option("--times", arguments.times, "Write the time of each step to this CSV file")
+      ->check(file_name());
   command
       .add_option("--compare-every", arguments.compare_every,
                   "Compare chi2 with that of a batch optimization after every so many steps")
@@ -193,6 +200,8 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
       ->type_name("METERS")
       ->check(number_above(0))
       ->capture_default_str();
+  command.add_flag("--outliers", options.sets_outliers_aside,
+                   "Set false loop closures aside, and take them back");
   command.add_flag("-q,--quiet", arguments.quiet, "Print no summary");
   add_reading_options(command, arguments.reading);
   command.footer(kReplayFooter);

@@ -6,14 +6,19 @@
 namespace boxplus::app {
 
 Replay::Replay(Graph& graph, const SmootherOptions& options)
-    : graph_(graph), vertices_(graph.all_vertices()), edges_(vertices_.size()), placement_(graph), smoother_(graph, options) {
+    : graph_(graph),
+      vertices_(graph.all_vertices()),
+      edges_(vertices_.size()),
+      placement_(graph),
+      smoother_(graph, options) {
   std::vector<std::vector<std::size_t>> step_of(graph.vertex_pools().size());
   for (std::size_t p = 0; p < step_of.size(); ++p) step_of[p].resize(graph.vertex_pools()[p]->slots(), 0);
   for (std::size_t k = 0; k < vertices_.size(); ++k) step_of[vertices_[k].pool][vertices_[k].slot] = k;
   for (const EdgeRef& edge : graph.all_edges()) {
     if (graph.level(edge) != 0) continue;
     std::size_t last = 0;  // parameters are there from the beginning
-    for (const VertexRef& vertex : graph.vertices(edge)) last = std::max(last, step_of[vertex.pool][vertex.slot]);
+    for (const VertexRef& vertex : graph.vertices(edge))
+      last = std::max(last, step_of[vertex.pool][vertex.slot]);
     if (!edges_.empty()) edges_[last].push_back(edge);
     graph.set_level(edge, 1);
   }
@@ -52,9 +57,10 @@ SmootherReport Replay::count(const SmootherReport& report) {
 
 double Replay::chi2() const {
   double sum = 0;
+  const std::vector<EdgeRef> aside = smoother_.set_aside();  // sorted
   for (std::size_t k = 0; k < done(); ++k) {
     for (const EdgeRef& edge : edges_[k]) {
-      if (!graph_.is_enabled(edge)) continue;
+      if (!graph_.is_enabled(edge) || std::binary_search(aside.begin(), aside.end(), edge)) continue;
       const RobustKernel* const kernel = graph_.kernel(edge);
       const double e2 = graph_.chi2(edge);
       sum += kernel != nullptr ? (*kernel)(e2).value : e2;

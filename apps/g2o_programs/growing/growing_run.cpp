@@ -46,7 +46,7 @@ void GrowingRun::finish() {
 
 void GrowingRun::print(const char* work) const {
   const Report& report = solver_.report();
-  const char* const plan = report.plan_reused ? "kept" : report.plan_extended ? "extended" : "new";
+  const char* const plan = report.plan_reused ? "kept" : "new";
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
   fmt::print(
       stderr,

@@ -16,7 +16,7 @@ struct IncrementalOptions {
   const std::atomic<bool>* stop = nullptr;  ///< ends an optimization; may be null
 };
 
-/// One Optimizer for the life of the graph: it extends its plan by what was added (docs/live.md).
+/// One Optimizer for the life of the graph.
 class IncrementalSolver {
  public:
   enum class Work { kNothing, kUpdate, kBatch };
@@ -32,8 +32,8 @@ class IncrementalSolver {
   /// The last run.
   const Report& report() const { return report_; }
 
-  /// If nothing determines the place of the graph, its first pose is fixed while it grows, because otherwise
-  /// no plan could be extended. After this call, the user determines the place.
+  /// If nothing determines the place of the graph, its first pose is fixed while it grows. After this call,
+  /// the user determines the place.
   void release_gauge();
 
  private:

@@ -12,8 +12,8 @@ namespace boxplus::detail {
 /// Elements may appear several times, in the order of the changes; removed ones, too.
 struct ChangeLog {
   std::vector<VertexRef> vertices;  ///< added, removed, moved, resized, or with other flags
-  std::vector<EdgeRef> edges;       ///< added, removed, or with another measurement, Ω, kernel, flag or level
-  bool everything = false;          ///< estimates have changed that `vertices` does not list
+  std::vector<EdgeRef> edges;  ///< added, removed, or with another measurement, Ω, kernel, flag or level
+  bool everything = false;     ///< estimates have changed that `vertices` does not list
 
   void clear() {
     vertices.clear();

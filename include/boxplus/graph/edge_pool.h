@@ -120,8 +120,6 @@ class EdgePool {
   InformationKind informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
                                double* full) const;
   std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
-  /// The generation of the next edge, in any slot.
-  std::uint32_t next_generation() const { return next_generation_; }
 
  protected:
   /// `vertex_pools`: the pool of each argument of the error function. The last `tails` arguments are tails;
@@ -176,7 +174,7 @@ class EdgePool {
   std::vector<std::uint32_t> generations_;
   std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while no edge has a kernel
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;
+  std::uint32_t next_generation_ = 0;  // of the next edge, in any slot
 };
 
 }  // namespace boxplus::detail

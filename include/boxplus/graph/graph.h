@@ -108,7 +108,7 @@ class Graph {
       throw;
     }
     pools_.vertices[vertex.pool]->bounds_.set(vertex.slot, {});
-    note_rewrite();
+    note_new_structure();
   }
 
   Id id(VertexRef vertex) const;
@@ -191,7 +191,7 @@ class Graph {
     (detail::append_tail_size(tail_sizes, vertices), ...);
     const int rows = count_rows(pool, error, refs, slots, tail_sizes);
     const std::uint32_t slot = pool.add(std::move(error), information, rows, slots, tail_sizes);
-    note_addition();
+    note_new_structure();
     const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
     note_change(handle);
     if (incidence_) index_edge(handle, refs);
@@ -295,10 +295,6 @@ class Graph {
   /// fixed directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the
   /// structure.
   std::uint64_t revision() const { return revision_; }
-  /// The revision of the last change of the structure that did more than add elements. If a caller knows the
-  /// structure at this revision or at a later revision r, all changes after r are new elements. Their
-  /// generations are those that the pools have used since r (next_generation()).
-  std::uint64_t last_rewrite() const { return last_rewrite_; }
 
   /// The log to which the graph appends its changes from now on, or nullptr. The caller keeps it alive.
   void set_change_log(detail::ChangeLog* log) { log_ = log; }
@@ -317,8 +313,7 @@ class Graph {
   /// Takes everything from `other` except its lifetime.
   void take_elements(Graph& other) noexcept;
 
-  void note_rewrite() { last_rewrite_ = ++revision_; }
-  void note_addition() { ++revision_; }
+  void note_new_structure() { ++revision_; }
   void note_change(VertexRef vertex) {
     if (log_) log_->vertices.push_back(vertex);
   }
@@ -382,7 +377,7 @@ class Graph {
     const std::uint32_t slot = pool.add(std::move(estimate), id);
     const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
     ids.insert(id, handle);
-    note_addition();
+    note_new_structure();
     note_change(handle);
     return handle;
   }
@@ -398,7 +393,7 @@ class Graph {
   detail::PoolTable pools_;
   detail::IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
-  std::uint64_t revision_ = 1, last_rewrite_ = 1;
+  std::uint64_t revision_ = 1;
   std::vector<detail::SavedState> stack_;
   detail::Lifetime lifetime_;
   detail::ChangeLog* log_ = nullptr;

@@ -123,8 +123,6 @@ class VertexPool {
   bool has_bounds() const { return !bounds_.empty(); }
   Id id(std::uint32_t slot) const { return ids_[slot]; }
   std::uint32_t generation(std::uint32_t slot) const { return generations_[slot]; }
-  /// The generation of the next vertex, in any slot.
-  std::uint32_t next_generation() const { return next_generation_; }
 
  protected:
   /// The slot that acquire_slot() will return: the slot of a removed vertex, or slots().
@@ -147,7 +145,7 @@ class VertexPool {
   SlotLists<int> fixed_directions_;
   SlotLists<Bound> bounds_;
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;
+  std::uint32_t next_generation_ = 0;  // of the next vertex, in any slot
 };
 
 }  // namespace boxplus::detail

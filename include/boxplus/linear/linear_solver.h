@@ -87,13 +87,6 @@ struct AnalyzeHints {
   std::span<const std::uint32_t> elimination_bounds = {};
 };
 
-/// The growth of a structure after its analysis: new diagonal blocks at its end, and new off-diagonal blocks.
-struct StructureGrowth {
-  std::uint32_t old_blocks = 0;
-  std::span<const BlockCoordinate> added = {};    ///< the new off-diagonal blocks, each once
-  std::span<const std::uint32_t> new_index = {};  ///< new index of each old block (also diagonal), ascending
-};
-
 /// Solves symmetric positive definite block systems of one structure.
 ///
 /// Call analyze() once per structure, factorize() once per linearization and damping, and solve() any number
@@ -102,9 +95,9 @@ struct StructureGrowth {
 /// double, and kEigenSparse, whose library allocates about 25 times per factorization. Only one thread may
 /// use a solver at a time. Results have the same bits in every run and for any AnalyzeHints::threads.
 ///
-/// If factorize() was stopped, call it again before solve(). If analyze() or extend() throws Stopped, call
-/// analyze() before factorize(). The values of a system must not change between factorize() and the last
-/// solve() after it.
+/// If factorize() was stopped, call it again before solve(). If analyze() throws Stopped, call it again
+/// before factorize(). The values of a system must not change between factorize() and the last solve() after
+/// it.
 class LinearSolver {
  public:
   enum class Needs { kBlocks, kOperator };
@@ -116,11 +109,6 @@ class LinearSolver {
   /// solver uses it. May throw Stopped if `stop` is raised.
   virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                        const StopToken& stop = {}) = 0;
-  /// Call it instead of analyze() after additions to the analyzed structure, which must be the same object.
-  /// Keeps the elimination order and appends the new blocks, in a small fraction of the time of analyze().
-  /// Returns false if the solver cannot do this, or predicts that a new order is faster; then call analyze().
-  /// May throw Stopped if `stop` is raised.
-  virtual bool extend(const StructureGrowth& /*growth*/, const StopToken& /*stop*/ = {}) { return false; }
   /// Factorizes (direct) or prepares the preconditioner (iterative) of A + λ D.
   virtual FactorResult factorize(const BlockSystem& system, const Damping& damping,
                                  const SolveControl& control = {}) = 0;

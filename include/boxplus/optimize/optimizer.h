@@ -20,9 +20,9 @@ class Algorithm;
 ///     Report second = optimizer.run();  // reuses the plan
 ///
 /// The first run plans: it orders the vertices and lays out H. Later runs keep the plan if the structure of
-/// the graph has not changed (Report::plan_reused), and extend it if vertices and edges were only added
-/// (Report::plan_extended). Otherwise they plan again. Estimates, measurements, weights, kernels and enabled
-/// flags may change freely between runs.
+/// the graph has not changed (Report::plan_reused). Otherwise they plan again. Estimates, measurements,
+/// weights, kernels and enabled flags may change freely between runs. For a graph that grows with every run,
+/// there is Smoother (boxplus/incremental/smoother.h).
 ///
 /// A numerical failure is a status in the report, never an exception. The estimates are then the best that
 /// were found. All methods throw InvalidArgument for misuse: stale handles in the options, two eliminated

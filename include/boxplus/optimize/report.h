@@ -161,10 +161,9 @@ struct [[nodiscard]] Report {
   /// The number of steps that were computed with 32 digits. Such steps are slow. They are needed if an Ω is,
   /// in some direction, more than about 1e10 times as large as others.
   int precise_steps = 0;
-  int threads = 1;             ///< maximum number of threads that the options allow
-  int workers = 1;             ///< number of threads that linearize or factorize; small problems use fewer
-  bool plan_reused = false;    ///< the structure has not changed since the last run
-  bool plan_extended = false;  ///< only vertices and edges were added, and the plan was extended
+  int threads = 1;           ///< maximum number of threads that the options allow
+  int workers = 1;           ///< number of threads that linearize or factorize; small problems use fewer
+  bool plan_reused = false;  ///< the structure has not changed since the last run
   Timings time;
 
   bool converged() const { return status == Status::kConverged; }

@@ -21,9 +21,6 @@ class AutomaticSolver final : public LinearSolver {
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                const StopToken& stop = {}) override;
-  bool extend(const StructureGrowth& growth, const StopToken& stop = {}) override {
-    return !refused_ && chosen_->extend(growth, stop);
-  }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;

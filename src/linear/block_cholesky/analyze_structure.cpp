@@ -180,8 +180,7 @@ class Builder {
         const std::uint32_t rows = entry.transposed ? dim(j) : dim(entry.row);
         const std::uint32_t columns = entry.transposed ? dim(entry.row) : dim(j);
         f_.copies.push_back({structure_.value_start[entry.index],
-                             local_[entry.row] + local_[j] * front.leading, entry.index, rows, columns,
-                             entry.transposed});
+                             local_[entry.row] + local_[j] * front.leading, rows, columns, entry.transposed});
       }
     }
     front.copy_end = size_of(f_.copies);

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "boxplus/base/error.h"
-#include "linear/block_cholesky/extend_factor.h"
 #include "linear/block_cholesky/find_lost_pivot.h"
 #include "linear/block_cholesky/triangular_solve.h"
 #include "linear/column_inverse.h"
@@ -39,9 +38,7 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   symbolic_ = complete_factor(structure, outline, rule_, hints.threads, stop);
   structure_ = &structure;
   ordering_ = outline.ordering;
-  forecast_seconds_ = analyzed_seconds_ = forecast_of(outline).seconds;
-  analyzed_blocks_ = structure.blocks();
-  extensions_ = 0;
+  forecast_seconds_ = forecast_of(outline).seconds;
   batch_ = std::max(1, hints.right_hand_sides);
   fell_back_to_double_ = false;
   factor_.release();
@@ -57,27 +54,6 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   } else {
     factor_.allocate(symbolic_, structure.scalars(), batch_);
   }
-}
-
-bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*stop*/) {
-  // The largest number of extensions before the next analysis. Because it is large, the average time of an
-  // analysis per call is small.
-  constexpr std::uint32_t kMostExtensions = 100;
-  constexpr double kMostGrowth = 1.25;   // the largest growth of a factorization's predicted time per block
-  constexpr double kNegligible = 50e-6;  // a growth of the predicted time that does not matter, in seconds
-  factorized_ = false;
-  inverse_.clear();
-  if (!structure_ || ++extensions_ > kMostExtensions || !extend_factor(*structure_, growth, symbolic_))
-    return false;
-  forecast_seconds_ = predicted_nanoseconds(symbolic_, rule_) * 1e-9;
-  const double per_block = analyzed_seconds_ / std::max(1u, analyzed_blocks_);
-  if (forecast_seconds_ > kMostGrowth * per_block * structure_->blocks() + kNegligible) return false;
-  if (mixed_.allocated()) {
-    mixed_.extend(symbolic_);
-  } else {
-    factor_.allocate(symbolic_, structure_->scalars(), batch_);
-  }
-  return true;
 }
 
 /// Falls back from float to double until the next analysis.

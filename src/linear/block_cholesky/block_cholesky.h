@@ -26,7 +26,6 @@ class BlockCholesky final : public LinearSolver {
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                const StopToken& stop = {}) override;
-  bool extend(const StructureGrowth& growth, const StopToken& stop = {}) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
@@ -67,8 +66,6 @@ class BlockCholesky final : public LinearSolver {
   AmalgamationRule rule_;
   Ordering ordering_ = Ordering::kMinimumDegree;
   double forecast_seconds_ = 0;
-  double analyzed_seconds_ = 0;  // the predicted time at the last analysis
-  std::uint32_t analyzed_blocks_ = 0, extensions_ = 0;
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   NumericFactor<double> factor_;

@@ -8,8 +8,8 @@
 namespace boxplus {
 
 /// Assigns addresses in the arena to the panels and the update matrices, and sets the members of the factor
-/// that depend on the sizes of the fronts. The caller may call this again after fronts have changed. Takes
-/// O(fronts) time, plus the time to search for free memory between update matrices.
+/// that depend on the sizes of the fronts. Takes O(fronts) time, plus the time to search for free memory
+/// between update matrices.
 void assign_memory(SymbolicFactor& factor, PacedStop& pace);
 
 /// The leading dimension of a panel with this many rows. Avoids multiples of 64, because the entries of a row

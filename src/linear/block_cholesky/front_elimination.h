@@ -49,8 +49,8 @@ int eliminate_front(const LoadedFront<Scalar>& front, int threads, const StopTok
     return kPanelStopped;
   for_each_child([&](const ChildUpdate<Scalar>& child) {
     if (child.pivot_runs == child.runs.size()) return;
-    const dense::Run *const begin = child.runs.data() + child.pivot_runs,
-                     *const end = child.runs.data() + child.runs.size();
+    const dense::Run *const begin = child.runs.data() + child.pivot_runs, *const end = child.runs.data() +
+                                                                                       child.runs.size();
     const auto columns = static_cast<std::uint32_t>(front.columns);
     extend_add_with<Scalar>(
         threads, {child.update, child.below, begin, end, end, front.update, front.below, columns, columns});

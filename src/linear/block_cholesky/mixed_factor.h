@@ -20,8 +20,6 @@ class MixedFactor {
  public:
   /// `steps_that_pay` is the result of steps_that_pay(), or infinite if time does not matter.
   void allocate(const SymbolicFactor& symbolic, const BlockStructure& structure, double steps_that_pay);
-  /// Call this after `symbolic` and the structure have grown. They must still be the same objects.
-  void extend(const SymbolicFactor& symbolic) { allocate(symbolic, *structure_, steps_that_pay_); }
   /// Frees the memory of the factor. values() and damping() keep their results.
   void release();
   bool allocated() const { return factor_.allocated(); }

@@ -164,12 +164,8 @@ void NumericFactor<Scalar>::allocate(const SymbolicFactor& symbolic, std::uint32
   const std::size_t factor_size = symbolic.panel_size + symbolic.update_size;
   const std::size_t work_size = std::max<std::size_t>(columns * symbolic.largest_front, symbolic.all_rows);
   const std::size_t size = factor_size + scalars + columns * scalars + work_size;
-  if (size > room_) {
-    room_ = allocated() ? size + size / 4 : size;
-    memory_.reset();
-    memory_ = std::make_unique_for_overwrite<Scalar[]>(room_);
-    detail::prefer_large_pages(memory_.get(), room_ * sizeof(Scalar));
-  }
+  memory_ = std::make_unique_for_overwrite<Scalar[]>(size);
+  detail::prefer_large_pages(memory_.get(), size * sizeof(Scalar));
   minimum_pivot_ = memory_.get() + factor_size;
   x_ = minimum_pivot_ + scalars;
   work_ = x_ + columns * scalars;

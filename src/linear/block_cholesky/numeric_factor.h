@@ -37,8 +37,6 @@ class Suspects {
 template <class Scalar>
 class NumericFactor {
  public:
-  /// The caller may call this again after the factor has grown. If the memory is then too small, allocates
-  /// new memory with some reserve.
   void allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int right_hand_sides);
   void release() { *this = NumericFactor(); }
   bool allocated() const { return memory_ != nullptr; }
@@ -57,7 +55,6 @@ class NumericFactor {
   std::vector<LinearStatus> status_of_thread;
 
  private:
-  std::size_t room_ = 0;
   std::unique_ptr<Scalar[]> memory_;
   Scalar *minimum_pivot_ = nullptr, *x_ = nullptr, *work_ = nullptr;
 };

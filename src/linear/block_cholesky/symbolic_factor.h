@@ -20,8 +20,8 @@ using ScalarRun = dense::Run;
 /// Describes how one block of A is copied to the panel of its supernode. `source` is an offset in the values
 /// of A, and `destination` is an offset in the panel.
 struct BlockCopy {
-  std::uint32_t source, destination, block;  // `block` is the index of the block in the structure
-  std::uint32_t rows, columns;               // as stored in A
+  std::uint32_t source, destination;
+  std::uint32_t rows, columns;  // as stored in A
   bool transposed;
 };
 

@@ -22,6 +22,31 @@ T reuse(std::vector<T>& free, T fresh) {
   return last;
 }
 
+template <std::uint32_t Rows>
+void add_rows(const double* from, double* to, std::uint32_t columns, std::uint32_t leading) {
+  for (std::uint32_t c = 0; c < columns; ++c, from += Rows, to += leading) {
+    for (std::uint32_t r = 0; r < Rows; ++r) to[r] += from[r];
+  }
+}
+
+/// to += from, which is rows × columns and dense.
+void add_columns(const double* from, std::uint32_t rows, std::uint32_t columns, double* to,
+                 std::uint32_t leading) {
+  if (rows == 3) return add_rows<3>(from, to, columns, leading);
+  if (rows == 6) return add_rows<6>(from, to, columns, leading);
+  for (std::uint32_t c = 0; c < columns; ++c, from += rows, to += leading) {
+    for (std::uint32_t r = 0; r < rows; ++r) to[r] += from[r];
+  }
+}
+
+/// to += fromᵀ, where `from` is rows × columns and dense.
+void add_transposed(const double* from, std::uint32_t rows, std::uint32_t columns, double* to,
+                    std::uint32_t leading) {
+  for (std::uint32_t c = 0; c < columns; ++c) {
+    for (std::uint32_t r = 0; r < rows; ++r) to[c + std::size_t{r} * leading] += *from++;
+  }
+}
+
 template <class T>
 std::vector<T>& list_for(std::vector<std::vector<T>>& lists, std::size_t size) {
   if (size >= lists.size()) lists.resize(size + 1);
@@ -184,21 +209,34 @@ IncrementalFactor::Result IncrementalFactor::factorize(const StopToken& stop, Fa
   return result;
 }
 
-/// Adds block (i, j) of a term to `to`. The rows belong to i.
-void IncrementalFactor::add_pair(const Term& term, std::size_t i, std::size_t j, double* to,
-                                 std::uint32_t leading) const {
-  const std::uint32_t rows = dim(term.blocks[i]), columns = dim(term.blocks[j]);
-  const auto t = static_cast<Index>(&term - terms_.data());
-  if (i >= j) {
-    const double* from = values_.data() + block_of(t, i, j);
-    for (std::uint32_t c = 0; c < columns; ++c, to += leading) {
-      for (std::uint32_t r = 0; r < rows; ++r) to[r] += *from++;
+/// Adds the parts of a term that belong to the columns of a pivot: its gradient in row `last`, and its blocks
+/// in the rows of blocks that are not eliminated before it.
+void IncrementalFactor::load_term(const Term& term, Index pivot, double* columns, std::uint32_t leading,
+                                  std::uint32_t last) const {
+  const double* from = values_.data() + term.values;
+  const std::uint32_t dim = blocks_[pivot].dim;
+  const std::uint64_t sequence = blocks_[pivot].sequence;
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < term.blocks.size(); ++i) {
+    const std::uint32_t rows = blocks_[term.blocks[i]].dim;
+    if (term.blocks[i] == pivot) {
+      j = i;
+      for (std::uint32_t c = 0; c < rows; ++c) columns[std::size_t{c} * leading + last] -= from[c];
     }
-    return;
+    from += rows;
   }
-  const double* from = values_.data() + block_of(t, j, i);  // columns × rows
-  for (std::uint32_t r = 0; r < rows; ++r) {
-    for (std::uint32_t c = 0; c < columns; ++c) to[r + std::size_t{c} * leading] += *from++;
+  for (std::size_t i = 0; i < term.blocks.size(); ++i) {
+    const Block& first = blocks_[term.blocks[i]];
+    for (std::size_t k = 0; k <= i; ++k) {
+      const Block& second = blocks_[term.blocks[k]];
+      const std::uint32_t size = first.dim * second.dim;
+      if (k == j && first.sequence >= sequence) {
+        add_columns(from, first.dim, dim, columns + local_[term.blocks[i]], leading);
+      } else if (i == j && second.sequence > sequence) {
+        add_transposed(from, dim, second.dim, columns + local_[term.blocks[k]], leading);
+      }
+      from += size;
+    }
   }
 }
 
@@ -215,18 +253,7 @@ void IncrementalFactor::load(Front& front) {
   for (const Index b : front.pivot_blocks()) {
     const Block& block = blocks_[b];
     double* const columns = front.values + std::size_t{local_[b]} * front.leading;
-    for (const Index t : block.terms) {
-      const Term& term = terms_[t];
-      const auto j =
-          static_cast<std::size_t>(std::find(term.blocks.begin(), term.blocks.end(), b) - term.blocks.begin());
-      const double* const gradient = values_.data() + gradient_of(t, j);
-      for (std::uint32_t c = 0; c < block.dim; ++c) columns[std::size_t{c} * front.leading + last] -= gradient[c];
-      for (std::size_t i = 0; i < term.blocks.size(); ++i) {
-        const Index other = term.blocks[i];
-        if (blocks_[other].sequence < block.sequence) continue;
-        add_pair(term, i, j, columns + local_[other], front.leading);
-      }
-    }
+    for (const Index t : block.terms) load_term(terms_[t], b, columns, front.leading, last);
     double* diagonal = columns + local_[b];
     for (const int held : block.held) diagonal[static_cast<std::size_t>(held) * (front.leading + 1)] += 1;
     for (std::uint32_t c = 0; c < block.dim; ++c, diagonal += front.leading + 1)
@@ -288,24 +315,25 @@ void IncrementalFactor::solve_front(const Front& front, std::vector<Index>& solv
   for (std::uint32_t c = 0; c < front.columns; ++c)
     work_[c] = front.values[std::size_t{c} * front.leading + rows];
   double* next = work_.data() + front.columns;
-  for (const Index b : front.separator()) {
-    const double* const from = x_.data() + blocks_[b].x;
-    for (std::uint32_t i = 0; i < dim(b); ++i) *next++ = from[i];
+  for (std::size_t k = front.pivots; k < front.places.size(); ++k) {
+    const Place& place = front.places[k];
+    const double* const from = x_.data() + place.x;
+    for (std::uint32_t i = 0; i < place.dim; ++i) *next++ = from[i];
   }
   dense::solve_backward(front.values, static_cast<int>(rows), static_cast<int>(front.columns),
                         static_cast<int>(front.leading), work_.data());
   const double* value = work_.data();
-  for (const Index b : front.pivot_blocks()) {
-    const Block& block = blocks_[b];
+  for (Index k = 0; k < front.pivots; ++k) {
+    const auto [x, size] = front.places[k];
     bool is_noticed = false;
-    for (std::uint32_t i = block.x; i < block.x + block.dim; ++i) {
+    for (std::uint32_t i = x; i < x + size; ++i) {
       x_[i] = *value++;
       is_noticed = is_noticed || std::abs(x_[i] - published_[i]) > noticeable_[i];
     }
-    solved.push_back(b);
+    solved.push_back(front.blocks[k]);
     if (!is_noticed) continue;
-    std::copy_n(x_.begin() + block.x, block.dim, published_.begin() + block.x);
-    noticed_pass_[b] = pass_;
+    std::copy_n(x_.begin() + x, size, published_.begin() + x);
+    noticed_pass_[front.blocks[k]] = pass_;
   }
 }
 
@@ -333,9 +361,8 @@ void IncrementalFactor::solve(std::vector<Index>& solved) {
     for (const Index c : front.children) {
       const auto separator = fronts_[c].separator();
       const bool is_affected =
-          fronts_[c].is_unsolved || std::any_of(separator.begin(), separator.end(), [&](Index b) {
-            return noticed_pass_[b] == pass_;
-          });
+          fronts_[c].is_unsolved ||
+          std::any_of(separator.begin(), separator.end(), [&](Index b) { return noticed_pass_[b] == pass_; });
       if (is_affected) stack_.push_back(c);
     }
   }

@@ -77,18 +77,16 @@ class IncrementalFactor {
   void solve(std::vector<Index>& solved);
   /// Computes all of x.
   void solve_all(std::vector<Index>& solved);
-  std::span<const double> x(Index block) const {
-    return {x_.data() + blocks_[block].x, blocks_[block].dim};
-  }
+  std::span<const double> x(Index block) const { return {x_.data() + blocks_[block].x, blocks_[block].dim}; }
   const double* all_x() const { return x_.data(); }
   std::uint32_t x_offset(Index block) const { return blocks_[block].x; }
   /// Says that the unknowns of this block are now relative to x: x becomes zero. The terms of the block must
   /// change before the next factorize().
   void reset_x(Index block);
 
-  /// The part of H⁻¹ that belongs to the listed blocks, in this order; column-major. Visits the fronts between
-  /// the blocks and the roots (Kaess and Dellaert, "Covariance recovery from a square root information matrix
-  /// for data association", RAS 2009). The factor must be up to date.
+  /// The part of H⁻¹ that belongs to the listed blocks, in this order; column-major. Visits the fronts
+  /// between the blocks and the roots (Kaess and Dellaert, "Covariance recovery from a square root
+  /// information matrix for data association", RAS 2009). The factor must be up to date.
   void covariance(std::span<const Index> blocks, std::vector<double>& out);
 
   /// The number of values in the panels of all fronts, and of scalars.
@@ -97,6 +95,10 @@ class IncrementalFactor {
   std::size_t memory_numbers() const { return memory_.numbers() + values_.size(); }
 
  private:
+  /// The scalars of a block in x.
+  struct Place {
+    std::uint32_t x, dim;
+  };
   struct Block {
     std::uint32_t dim = 0, x = 0;
     Index front = kNone;
@@ -113,6 +115,7 @@ class IncrementalFactor {
   };
   struct Front {
     std::vector<Index> blocks;  // the pivots, and then the separator, in the order of elimination
+    std::vector<Place> places;  // of each block
     std::vector<Index> children;
     std::vector<dense::Run> runs;  // of the rows of the update matrix, in the parent's front
     std::size_t pivot_runs = 0;
@@ -144,13 +147,15 @@ class IncrementalFactor {
   void find_blocks(Front& front);
   Index new_front();
   void free_front(Index f);
+  void set_places(Front& front) const;
   bool sort_blocks(Front& front);
   void sort_separator(Front& front);
   void attach(Index child, Index parent);
   void find_runs(Front& child, const Front& parent);
   Result factorize_front(Front& front, const StopToken& stop);
   void load(Front& front);
-  void add_pair(const Term& term, std::size_t i, std::size_t j, double* to, std::uint32_t leading) const;
+  void load_term(const Term& term, Index pivot, double* columns, std::uint32_t leading,
+                 std::uint32_t last) const;
   void solve_front(const Front& front, std::vector<Index>& solved);
 
   std::vector<Block> blocks_;

@@ -14,7 +14,8 @@ void IncrementalFactor::covariance(std::span<const Index> blocks, std::vector<do
   const std::uint32_t mark = ++marks_;
   for (const Index b : blocks) {
     count += dim(b);
-    for (Index f = blocks_[b].front; f != kNone && mark_[fronts_[f].blocks[0]] != mark; f = fronts_[f].parent) {
+    for (Index f = blocks_[b].front; f != kNone && mark_[fronts_[f].blocks[0]] != mark;
+         f = fronts_[f].parent) {
       mark_[fronts_[f].blocks[0]] = mark;  // the first pivot of a front identifies it
       path.push_back(f);
     }
@@ -50,8 +51,8 @@ void IncrementalFactor::covariance(std::span<const Index> blocks, std::vector<do
       }
     }
     work_.assign(std::max(work_.size(), static_cast<std::size_t>(below) * count), 0.0);
-    dense::subtract_product_transposed(work_.data(), size, pivots, size, front.values + front.columns, leading,
-                                       size, below, columns);
+    dense::subtract_product_transposed(work_.data(), size, pivots, size, front.values + front.columns,
+                                       leading, size, below, columns);
     const double* from = work_.data();
     for (const Index b : front.separator()) {
       double* const to = columns_.data() + local_[b];

@@ -26,6 +26,7 @@ void IncrementalFactor::free_front(Index f) {
   memory_.give_back(front.values, front.size());
   panel_values_ -= front.panel_size();
   front.blocks.clear();
+  front.places.clear();
   front.children.clear();
   front.runs.clear();
   front.parent = kNone;
@@ -96,8 +97,8 @@ BlockStructure IncrementalFactor::structure_of_top() {
     };
     for (const Index t : block.terms) {
       const std::vector<Index>& members = terms_[t].blocks;
-      const bool is_below = std::any_of(members.begin(), members.end(),
-                                        [&](Index b) { return blocks_[b].front != kNone; });
+      const bool is_below =
+          std::any_of(members.begin(), members.end(), [&](Index b) { return blocks_[b].front != kNone; });
       if (!is_below) std::for_each(members.begin(), members.end(), add);
     }
     if (!orphans.empty()) {
@@ -158,6 +159,11 @@ void IncrementalFactor::attach(Index child, Index parent) {
   fronts_[parent].children.push_back(child);
 }
 
+void IncrementalFactor::set_places(Front& front) const {
+  front.places.clear();
+  for (const Index b : front.blocks) front.places.push_back({blocks_[b].x, blocks_[b].dim});
+}
+
 /// Appends the separator to the pivots of a front, whose children are known, and computes its sizes.
 void IncrementalFactor::find_blocks(Front& front) {
   const std::uint32_t mark = ++marks_;
@@ -177,6 +183,7 @@ void IncrementalFactor::find_blocks(Front& front) {
   }
   std::sort(front.blocks.begin() + front.pivots, front.blocks.end(),
             [&](Index a, Index b) { return blocks_[a].sequence < blocks_[b].sequence; });
+  set_places(front);
   front.columns = 0;
   front.below = 1;
   for (const Index b : front.pivot_blocks()) front.columns += dim(b);
@@ -218,6 +225,7 @@ bool IncrementalFactor::sort_blocks(Front& front) {
     row += dim(b);
   }
   std::sort(first, front.blocks.end(), before);
+  set_places(front);
   front.is_moved = true;
   return true;
 }

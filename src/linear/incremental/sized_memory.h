@@ -11,8 +11,8 @@
 namespace boxplus {
 
 /// Gives out arrays of doubles. An array that is given back is reused for the next array of its class: sizes
-/// whose rooms are equal. There are four rooms between a power of two and the next, so that at most a fifth of
-/// an array is unused. Arrays are not initialized.
+/// whose rooms are equal. There are four rooms between a power of two and the next, so that at most a fifth
+/// of an array is unused. Arrays are not initialized.
 class SizedMemory {
  public:
   double* take(std::size_t size) {

@@ -14,7 +14,10 @@ namespace {
 class BitGraph {
  public:
   explicit BitGraph(const BlockStructure& structure)
-      : structure_(structure), count_(structure.blocks()), words_((count_ + 63) / 64), bits_(count_ * words_) {
+      : structure_(structure),
+        count_(structure.blocks()),
+        words_((count_ + 63) / 64),
+        bits_(count_ * words_) {
     for (std::uint32_t j = 0; j < count_; ++j) {
       for (std::uint32_t e = structure.column_start[j] + 1; e < structure.column_start[j + 1]; ++e) {
         set(j, structure.row[e]);
@@ -27,8 +30,8 @@ class BitGraph {
     std::vector<std::uint32_t> blocks;
     double flops = 0;
   };
-  /// Eliminates the oldest of the nodes whose degree is at most the minimum plus `slack`, again and again; the
-  /// last node is the last one. Ends early if the operations exceed `limit`.
+  /// Eliminates the oldest of the nodes whose degree is at most the minimum plus `slack`, again and again;
+  /// the last node is the last one. Ends early if the operations exceed `limit`.
   Order eliminate(std::uint32_t slack, double limit) {
     Order order;
     std::vector<std::uint64_t> graph = bits_;
@@ -41,7 +44,8 @@ class BitGraph {
       const auto end = left.size() > 1 ? left.end() - 1 : left.end();
       std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
       for (auto k = left.begin(); k != end; ++k) least = std::min(least, degree[*k]);
-      const auto chosen = std::find_if(left.begin(), end, [&](std::uint32_t k) { return degree[k] <= least + slack; });
+      const auto chosen =
+          std::find_if(left.begin(), end, [&](std::uint32_t k) { return degree[k] <= least + slack; });
       const std::uint32_t node = *chosen;
       left.erase(chosen);
       order.blocks.push_back(node);
@@ -63,7 +67,9 @@ class BitGraph {
 
  private:
   void set(std::uint32_t i, std::uint32_t j) { bits_[i * words_ + j / 64] |= std::uint64_t{1} << j % 64; }
-  std::uint64_t* row(std::vector<std::uint64_t>& graph, std::uint32_t k) const { return graph.data() + k * words_; }
+  std::uint64_t* row(std::vector<std::uint64_t>& graph, std::uint32_t k) const {
+    return graph.data() + k * words_;
+  }
   std::uint32_t count_of(const std::uint64_t* words) const {
     int count = 0;
     for (std::uint32_t w = 0; w < words_; ++w) count += std::popcount(words[w]);

@@ -25,9 +25,6 @@ class SchurSolver final : public LinearSolver, public ColumnElimination {
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                const StopToken& stop = {}) override;
-  bool extend(const StructureGrowth& growth, const StopToken& stop = {}) override {
-    return !eliminates() && inner_->extend(growth, stop);
-  }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
 

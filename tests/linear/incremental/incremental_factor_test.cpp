@@ -17,7 +17,9 @@ class Reference {
  public:
   explicit Reference(unsigned seed) : random_(seed) {}
 
-  std::size_t pick(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+  std::size_t pick(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
+  }
 
   void add_block() {
     const std::vector<double> noticeable(1 + pick(3), 0.0);
@@ -44,7 +46,9 @@ class Reference {
     terms_.erase(term);
   }
 
-  void change_random_term() { fill(std::next(terms_.begin(), static_cast<std::ptrdiff_t>(pick(terms_.size())))->first); }
+  void change_random_term() {
+    fill(std::next(terms_.begin(), static_cast<std::ptrdiff_t>(pick(terms_.size())))->first);
+  }
 
   void remove_random_block() {
     if (blocks_.size() < 3) return;
@@ -110,7 +114,8 @@ class Reference {
     Eigen::Index size = 0;
     for (const Index block : members) size += factor.dim(block);
     const auto numbers = [&](Eigen::Index rows, Eigen::Index columns) {
-      return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return std::normal_distribution<>()(random_); });
+      return Eigen::MatrixXd::NullaryExpr(rows, columns,
+                                          [&] { return std::normal_distribution<>()(random_); });
     };
     const Eigen::MatrixXd J = numbers(size, size);
     Values& values = terms_[term];
@@ -119,7 +124,8 @@ class Reference {
     Eigen::Index row = 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
       const Eigen::Index rows = factor.dim(members[i]);
-      Eigen::Map<Eigen::VectorXd>(factor.values() + factor.gradient_of(term, i), rows) = values.g.segment(row, rows);
+      Eigen::Map<Eigen::VectorXd>(factor.values() + factor.gradient_of(term, i), rows) =
+          values.g.segment(row, rows);
       Eigen::Index column = 0;
       for (std::size_t j = 0; j <= i; ++j) {
         const Eigen::Index columns = factor.dim(members[j]);
@@ -144,10 +150,17 @@ TEST(IncrementalFactor, SolvesTheSystemAfterEachOfManyRandomChanges) {
       reference.add_random_term();
       for (std::size_t changes = reference.pick(4); changes-- > 0;) {
         switch (reference.pick(5)) {
-          case 0: reference.remove_random_term(); break;
-          case 1: reference.remove_random_block(); break;
-          case 2: reference.change_random_term(); break;
-          default: reference.add_random_term();
+          case 0:
+            reference.remove_random_term();
+            break;
+          case 1:
+            reference.remove_random_block();
+            break;
+          case 2:
+            reference.change_random_term();
+            break;
+          default:
+            reference.add_random_term();
         }
       }
       ASSERT_NO_FATAL_FAILURE(reference.expect_solved()) << "seed " << seed << ", step " << step;

@@ -28,18 +28,14 @@ TEST(IncrementalSolver, WorkIsDueAfterNewVertices) {
   EXPECT_EQ(std::pair(updates, batches), std::pair(8, 2));
 }
 
-TEST(IncrementalSolver, PlansAreExtendedAndTheGaugeIsReleasedAgain) {
+TEST(IncrementalSolver, TheFirstPoseIsFixedUntilTheGaugeIsReleased) {
   Simulation simulation = simulate(World::kManhattan, {.poses = 300});
   simulation.graph.unfix(*simulation.graph.find_vertex(0));
   Graph graph;
   GraphFeed feed(simulation.graph, simulation.edges, graph);
   EXPECT_FALSE(feed.is_anchored());
   IncrementalSolver solver(graph, {.update_every = 5});
-  int extended = 0;
-  while (feed.step()) {
-    if (solver.solve() == Work::kUpdate) extended += solver.report().plan_extended;
-  }
-  EXPECT_GE(extended, 50);
+  while (feed.step()) solver.solve();
   EXPECT_TRUE(graph.is_fixed(*graph.find_vertex(0)));
   solver.release_gauge();
   EXPECT_FALSE(graph.is_fixed(*graph.find_vertex(0)));

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "incremental/closure_judge.h"
+
+#include <algorithm>
+
+#include "boxplus/outliers/outliers.h"
+#include "boxplus/robust/default_width.h"
+
+namespace boxplus {
+
+void take_estimates(Graph& graph, const Graph& copy) {
+  for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
+    detail::VertexPool& pool = *graph.vertex_pools()[p];
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
+      if (pool.alive(slot) && !pool.fixed(slot)) slots.push_back(slot);
+    }
+    pool.copy_estimates(slots, *copy.vertex_pools()[p]);
+  }
+}
+
+Graph ClosureJudge::copy_without_aside(const Graph& graph) const {
+  Graph copy = graph;
+  for (const EdgeRef& edge : aside_) copy.set_enabled(edge, false);
+  return copy;
+}
+
+bool ClosureJudge::accepts(EdgeRef edge, const EdgePreview& preview, double false_alarm) {
+  ++judged_;
+  const bool fits = preview.chi2_increase <= noise_scale_ * chi2_quantile(preview.rows, 1 - false_alarm);
+  if (fits) return true;
+  ++rejected_;
+  aside_.insert(edge);
+  return false;
+}
+
+bool ClosureJudge::is_search_due(bool finishes) const {
+  if (is_new_) return true;
+  constexpr double kGrowth = 0.3;
+  constexpr std::uint32_t kFewest = 10;
+  if (finishes) return judged_ > 0 && (rejected_ > 0 || !aside_.empty());
+  return rejected_ > 0 && judged_ >= std::max<double>(kFewest, kGrowth * at_search_);
+}
+
+std::vector<EdgeRef> ClosureJudge::search(Graph& graph, double false_alarm, const StopToken& stop) {
+  Graph copy = graph;
+  for (const EdgeRef& edge : aside_) copy.set_enabled(edge, true);
+  OutlierOptions options;
+  options.options.threads = 1;
+  options.false_alarm = false_alarm;
+  const OutlierReport found = find_outliers(copy, options);
+  std::vector<EdgeRef> changed;
+  if (stop.raised()) return changed;
+  at_search_ = static_cast<std::uint32_t>(found.verdicts.size());
+  judged_ = rejected_ = 0;
+  is_new_ = false;
+  noise_scale_ = found.noise_scale;
+  for (const EdgeVerdict& verdict : found.verdicts) {
+    const bool was_aside = aside_.contains(verdict.edge), is_aside = verdict.weight == 0;
+    if (was_aside == is_aside) continue;
+    changed.push_back(verdict.edge);
+    is_aside ? void(aside_.insert(verdict.edge)) : void(aside_.erase(verdict.edge));
+  }
+  if (!changed.empty()) take_estimates(graph, copy);
+  return changed;
+}
+
+}  // namespace boxplus
