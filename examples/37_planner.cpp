@@ -17,7 +17,6 @@ constexpr int kHorizon = 60;        // states of the plan
 constexpr double kSpeed = 2;        // m/s
 using Vector4 = Vector<double, 4>;  // position and velocity in the plane
 
-// [edges]
 /// Constant velocity between two consecutive states.
 struct Smoothness {
   template <class S>
@@ -60,7 +59,6 @@ struct Obstacle {
     return kSoftness * (inside > 30.0 ? inside : S(log(1.0 + exp(inside))));
   }
 };
-// [/edges]
 
 class Planner {
  public:
@@ -69,6 +67,7 @@ class Planner {
     states_.push_back({graph_.add_vertex(start), {}, {}});
     graph_.fix(states_[0].vertex);
     while (states_.size() <= kHorizon) append(goal, obstacle);
+    smoother_.update();
   }
 
   // [tick]
