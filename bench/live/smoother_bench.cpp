@@ -4,6 +4,7 @@
 //   smoother_bench FOLDER      replays public graphs, one update per vertex
 //   smoother_bench lag STEPS   drives with a fixed lag of 200 poses and landmarks
 //   smoother_bench nees RUNS   compares the errors of a fixed lag with its covariances
+//   smoother_bench outliers FOLDER   the same with 30 % false loop closures
 //   smoother_bench months N    visits the same 2,000 places again and again, N poses in all
 #include <malloc.h>
 
@@ -20,6 +21,8 @@
 #include "boxplus/boxplus.h"
 #include "boxplus/incremental/smoother.h"
 #include "boxplus/io/graph_file.h"
+#include "boxplus/outliers/outliers.h"
+#include "boxplus/testing/false_closures.h"
 #include "datasets/cpu_time.h"
 #include "datasets/median.h"
 #include "replay/replay_run.h"
@@ -47,9 +50,11 @@ Batch measure_batch(const std::string& path) {
   for (int k = 0; k < 7; ++k) {
     GraphFile file = read_graph(path);
     Report report;
-    whole.push_back(timed([&] { report = optimize(file.graph, {.start = Start::kAutomatic, .threads = 1}); }));
+    whole.push_back(
+        timed([&] { report = optimize(file.graph, {.start = Start::kAutomatic, .threads = 1}); }));
     batch.chi2 = report.chi2_final;
-    Optimizer again(file.graph, {.algorithm = AlgorithmKind::kGaussNewton, .max_iterations = 1, .threads = 1});
+    Optimizer again(file.graph,
+                    {.algorithm = AlgorithmKind::kGaussNewton, .max_iterations = 1, .threads = 1});
     again.run(report);
     iteration.push_back(timed([&] { again.run(report); }));
   }
@@ -84,30 +89,74 @@ void replay_file(const std::string& name, const std::string& path) {
     while (marginals.done() < marginals.steps()) {
       marginals.step();
       if (marginals.done() < 3) continue;
-      with_marginals += timed([&] { (void)marginals.smoother().covariance({vertices[marginals.done() - 1]}); });
+      with_marginals +=
+          timed([&] { (void)marginals.smoother().covariance({vertices[marginals.done() - 1]}); });
     }
   }
   const std::vector<double>& seconds = replay.seconds();
   const double worst = *std::max_element(seconds.begin(), seconds.end()), total = replay.totals().seconds;
-  std::printf("| %s | %zu | %.1f | %.3f | %.0f | %.1f | %.2f | %.1f | %.1e | %.1e | %.0f %% |\n", name.c_str(),
-              replay.steps(), 1e3 * batch.seconds, total, total / batch.seconds, 1e6 * median(seconds), 1e3 * worst,
-              worst / batch.iteration, excess, replay.chi2() / batch.chi2 - 1, 100 * with_marginals / total);
+  std::printf("| %s | %zu | %.1f | %.3f | %.0f | %.1f | %.2f | %.1f | %.1e | %.1e | %.0f %% |\n",
+              name.c_str(), replay.steps(), 1e3 * batch.seconds, total, total / batch.seconds,
+              1e6 * median(seconds), 1e3 * worst, worst / batch.iteration, excess,
+              replay.chi2() / batch.chi2 - 1, 100 * with_marginals / total);
   std::fflush(stdout);
 }
 
 void replay_all(const std::string& folder) {
   std::printf(
-      "One update per vertex, on one thread. \"Batch\" is optimize() of the complete graph, \"iteration\" one "
+      "One update per vertex, on one thread. \"Batch\" is optimize() of the complete graph, \"iteration\" "
+      "one "
       "iteration of it.\n\n"
-      "| Graph | Steps | Batch [ms] | Replay [s] | Replay / batch | Median step [µs] | Worst step [ms] | Worst / "
-      "iteration | Excess of chi2, every 100th step | Excess at the end | Marginal of the newest pose adds |\n"
+      "| Graph | Steps | Batch [ms] | Replay [s] | Replay / batch | Median step [µs] | Worst step [ms] | "
+      "Worst / "
+      "iteration | Excess of chi2, every 100th step | Excess at the end | Marginal of the newest pose adds "
+      "|\n"
       "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   const std::vector<std::pair<std::string, std::string>> files{
-      {"intel", "posegraph2d/intel_1728.g2o"},       {"M3500", "posegraph2d/M3500.g2o"},
-      {"parking-garage", "posegraph3d/parking-garage.g2o"}, {"city10000", "posegraph2d/city10000.g2o"},
-      {"w10000", "posegraph2d/w10000.graph"},        {"sphere2500", "posegraph3d/sphere2500.g2o"},
-      {"torus3D", "posegraph3d/torus3D.g2o"},        {"victoriaPark", "landmark2d/victoriaPark-full.g2o"}};
+      {"intel", "posegraph2d/intel_1728.g2o"},
+      {"M3500", "posegraph2d/M3500.g2o"},
+      {"parking-garage", "posegraph3d/parking-garage.g2o"},
+      {"city10000", "posegraph2d/city10000.g2o"},
+      {"w10000", "posegraph2d/w10000.graph"},
+      {"sphere2500", "posegraph3d/sphere2500.g2o"},
+      {"torus3D", "posegraph3d/torus3D.g2o"},
+      {"victoriaPark", "landmark2d/victoriaPark-full.g2o"}};
   for (const auto& [name, path] : files) replay_file(name, folder + "/" + path);
+}
+
+// ---- False closures ----
+
+/// Adds 30 % false closures, and compares the verdicts at the end of a replay with those of find_outliers().
+void replay_false_closures(const std::string& name, const std::string& path) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    GraphFile file = read_graph(path);
+    Graph& graph = file.graph;
+    (void)optimize(graph, {.start = Start::kAutomatic});
+    const std::vector<EdgeRef> added = add_false_closures(graph, {.fraction = 0.3, .seed = seed});
+    Graph whole = graph;
+    const OutlierReport batch = find_outliers(whole, {.options = {.threads = 1}});
+    app::Replay replay(graph, {.sets_outliers_aside = true});
+    while (replay.done() < replay.steps()) replay.step();
+    replay.finish();
+    const auto missed = [&](auto&& is_rejected) {
+      return std::count_if(added.begin(), added.end(), [&](EdgeRef edge) { return !is_rejected(edge); });
+    };
+    const std::vector<EdgeRef> aside = replay.smoother().set_aside();
+    std::vector<EdgeRef> rejected;
+    for (const EdgeVerdict& verdict : batch.verdicts) {
+      if (verdict.weight == 0) rejected.push_back(verdict.edge);
+    }
+    const auto in = [](const std::vector<EdgeRef>& list) {
+      return [&list](EdgeRef edge) { return std::find(list.begin(), list.end(), edge) != list.end(); };
+    };
+    std::printf("| %s | %d | %zu | %td / %zu | %td / %zu | %.6g / %.6g | %.2f | %.1f |\n", name.c_str(),
+                static_cast<int>(seed), added.size(), missed(in(aside)),
+                aside.size() + missed(in(aside)) - added.size(), missed(in(rejected)),
+                rejected.size() + missed(in(rejected)) - added.size(), replay.chi2(), batch.report.chi2_final,
+                replay.totals().seconds,
+                1e3 * *std::max_element(replay.seconds().begin(), replay.seconds().end()));
+    std::fflush(stdout);
+  }
 }
 
 // ---- Fixed lag ----
@@ -126,7 +175,8 @@ class Road {
     const SE2 measured = motion * SE2(noise(kMotion), noise(kMotion), noise(kTurnNoise));
     const auto last = pose_;
     add_pose(graph_.estimate(last) * measured);
-    std::vector<double> omega{1 / (kMotion * kMotion), 1 / (kMotion * kMotion), 1 / (kTurnNoise * kTurnNoise)};
+    std::vector<double> omega{1 / (kMotion * kMotion), 1 / (kMotion * kMotion),
+                              1 / (kTurnNoise * kTurnNoise)};
     graph_.add_edge(Between(measured), Information::diagonal(omega), last, pose_);
     observe();
     return smoother_.update();
@@ -158,7 +208,8 @@ class Road {
       const Vector2 local(12 + noise(1), side + noise(1));
       if (std::bernoulli_distribution(0.3)(random_)) landmarks_.push_back({truth_ * local, {}, false});
     }
-    while (!landmarks_.empty() && truth_.inverse_times(landmarks_.front().place)[0] < -12) landmarks_.pop_front();
+    while (!landmarks_.empty() && truth_.inverse_times(landmarks_.front().place)[0] < -12)
+      landmarks_.pop_front();
   }
 
   void observe() {
@@ -184,7 +235,8 @@ class Road {
 void drive_with_lag(long steps) {
   constexpr std::size_t kLag = 200;
   Road road(1, kLag);
-  std::printf("| Step | Time per step [µs] | Vertices | Edges | Memory in use [kB] |\n|--:|--:|--:|--:|--:|\n");
+  std::printf(
+      "| Step | Time per step [µs] | Vertices | Edges | Memory in use [kB] |\n|--:|--:|--:|--:|--:|\n");
   constexpr int kParts = 24;
   for (int part = 0; part < kParts; ++part) {
     const long count = steps * (part + 1) / kParts - steps * part / kParts;
@@ -194,8 +246,9 @@ void drive_with_lag(long steps) {
         if (!report.converged()) std::printf("step %ld: %s\n", k, report.message.c_str());
       }
     });
-    std::printf("| %ld | %.1f | %zu | %zu | %zu |\n", steps * (part + 1) / kParts, 1e6 * seconds / static_cast<double>(count),
-                road.graph().vertex_count(), road.graph().edge_count(), mallinfo2().uordblks / 1024);
+    std::printf("| %ld | %.1f | %zu | %zu | %zu |\n", steps * (part + 1) / kParts,
+                1e6 * seconds / static_cast<double>(count), road.graph().vertex_count(),
+                road.graph().edge_count(), mallinfo2().uordblks / 1024);
     std::fflush(stdout);
   }
 }
@@ -209,8 +262,8 @@ void measure_nees(int runs) {
   }
   // The sum has the χ² distribution of 3 · runs degrees of freedom.
   const double freedom = 3.0 * runs, spread = 1.96 * std::sqrt(2 * freedom);
-  std::printf("NEES of the last pose: %.2f on average over %d runs, 95 %% bounds %.2f to %.2f\n", sum / runs, runs,
-              (freedom - spread) / runs, (freedom + spread) / runs);
+  std::printf("NEES of the last pose: %.2f on average over %d runs, 95 %% bounds %.2f to %.2f\n", sum / runs,
+              runs, (freedom - spread) / runs, (freedom + spread) / runs);
 }
 
 // ---- Months ----
@@ -226,7 +279,8 @@ void visit_again_and_again(long poses) {
     const double angle = 2 * kPi * static_cast<double>(k % kPlaces) / kPlaces;
     return SE2(300 * std::sin(angle), 300 * (1 - std::cos(angle)), angle);
   };
-  std::printf("| Poses | Time per update [µs] | Worst [ms] | Factor [million numbers] |\n|--:|--:|--:|--:|\n");
+  std::printf(
+      "| Poses | Time per update [µs] | Worst [ms] | Factor [million numbers] |\n|--:|--:|--:|--:|\n");
   double seconds = 0, worst = 0;
   for (long k = 0; k < poses; ++k) {
     const auto measured = [&](long from) {
@@ -236,14 +290,16 @@ void visit_again_and_again(long poses) {
     all.push_back(graph.add_vertex(k > 0 ? graph.estimate(all.back()) * motion : truth(0)));
     if (k == 0) graph.fix(all[0]);
     if (k > 0) graph.add_edge(Between(motion), 1000.0, all[all.size() - 2], all.back());
-    if (k >= kPlaces) graph.add_edge(Between(measured(k - kPlaces)), 1000.0, all[static_cast<std::size_t>(k - kPlaces)], all.back());
+    if (k >= kPlaces)
+      graph.add_edge(Between(measured(k - kPlaces)), 1000.0, all[static_cast<std::size_t>(k - kPlaces)],
+                     all.back());
     const double time = timed([&] { (void)smoother.update(); });
     seconds += time;
     worst = std::max(worst, time);
     const long part = std::max(1L, poses / 20);
     if ((k + 1) % part != 0) continue;
-    std::printf("| %ld | %.1f | %.2f | %zu |\n", k + 1, 1e6 * seconds / static_cast<double>(part), 1e3 * worst,
-                mallinfo2().uordblks / 1024);
+    std::printf("| %ld | %.1f | %.2f | %zu |\n", k + 1, 1e6 * seconds / static_cast<double>(part),
+                1e3 * worst, mallinfo2().uordblks / 1024);
     std::fflush(stdout);
     seconds = worst = 0;
   }
@@ -258,6 +314,16 @@ int main(int argc, char** argv) {
   const long number = argc > 2 ? std::atol(argv[2]) : 0;
   if (what == "lag") return drive_with_lag(number > 0 ? number : 20000), 0;
   if (what == "nees") return measure_nees(number > 0 ? static_cast<int>(number) : 20), 0;
+  if (what == "outliers") {
+    const std::string folder = argc > 2 ? argv[2] : "../shared/data";
+    std::printf(
+        "| Graph | Seed | False closures | Live: missed / wrong | Batch: missed / wrong | chi2 live / batch "
+        "| Replay "
+        "[s] | Worst step [ms] |\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
+    replay_false_closures("M3500", folder + "/posegraph2d/M3500.g2o");
+    replay_false_closures("sphere2500", folder + "/posegraph3d/sphere2500.g2o");
+    return 0;
+  }
   if (what == "months") return visit_again_and_again(number > 0 ? number : 20000), 0;
   replay_all(what);
 }

@@ -25,13 +25,43 @@ Graph ClosureJudge::copy_without_aside(const Graph& graph) const {
   return copy;
 }
 
+bool ClosureJudge::is_closure(const Graph& graph, EdgeRef edge) const {
+  detail::RelativeFrame relative;
+  const bool is_motion = graph.edge_pools()[edge.pool]->relative_frame(edge.slot, relative) &&
+                         relative.motion.has_rotation && relative.from != detail::RelativeFrame::kWorld;
+  if (!is_motion) return false;
+  const std::vector<VertexRef> ends = graph.vertices(edge);
+  const Id from = graph.id(ends[0]), to = graph.id(ends[1]);
+  const auto next = poses_.upper_bound(std::min(from, to));
+  return next != poses_.end() && next->first != std::max(from, to);
+}
+
+std::vector<EdgeRef> ClosureJudge::hold_closures(const Graph& graph, const detail::ChangeLog& log) {
+  for (const VertexRef& vertex : log.vertices) {
+    if (!graph.contains(vertex)) continue;
+    detail::Frame frame;
+    if (graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) && frame.has_rotation)
+      poses_[graph.id(vertex)] = vertex;
+  }
+  std::erase_if(poses_, [&](const auto& pose) { return !graph.contains(pose.second); });
+  std::vector<EdgeRef> held;
+  for (const EdgeRef& edge : log.edges) {
+    aside_.erase(edge);
+    const bool takes_part = graph.contains(edge) && graph.is_enabled(edge) && graph.level(edge) == 0;
+    if (!takes_part || !is_closure(graph, edge)) continue;
+    aside_.insert(edge);
+    held.push_back(edge);
+  }
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  return held;
+}
+
 bool ClosureJudge::accepts(EdgeRef edge, const EdgePreview& preview, double false_alarm) {
   ++judged_;
   const bool fits = preview.chi2_increase <= noise_scale_ * chi2_quantile(preview.rows, 1 - false_alarm);
-  if (fits) return true;
-  ++rejected_;
-  aside_.insert(edge);
-  return false;
+  fits ? take_back(edge) : void(++rejected_);
+  return fits;
 }
 
 bool ClosureJudge::is_search_due(bool finishes) const {

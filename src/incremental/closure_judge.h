@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
 #include "boxplus/base/stop_token.h"
+#include "boxplus/graph/change_log.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/incremental/smoother_options.h"
 
@@ -22,11 +24,13 @@ class ClosureJudge {
  public:
   /// The edges that take no part.
   const std::set<EdgeRef>& aside() const { return aside_; }
+  /// Sets the new closures among these edges aside until they are judged, and returns them. A closure is an
+  /// edge that measures the full motion between two poses that are not neighbors in the order of ids.
+  std::vector<EdgeRef> hold_closures(const Graph& graph, const detail::ChangeLog& log);
+  /// Takes an edge back without a verdict, because it is needed.
+  void take_back(EdgeRef edge) { aside_.erase(edge); }
   /// Judges a new closure by EdgePreview::chi2_increase. Returns false if it is set aside.
   bool accepts(EdgeRef edge, const EdgePreview& preview, double false_alarm);
-  /// Forgets an edge that was removed or edited.
-  void forget(EdgeRef edge) { aside_.erase(edge); }
-
   /// Whether enough has changed for a search; `finishes`: whether anything has.
   bool is_search_due(bool finishes) const;
   /// A copy of the graph in which the edges that are set aside are disabled.
@@ -38,7 +42,10 @@ class ClosureJudge {
   void expect_search() { is_new_ = true; }
 
  private:
+  bool is_closure(const Graph& graph, EdgeRef edge) const;
+
   std::set<EdgeRef> aside_;
+  std::map<Id, VertexRef> poses_;
   double noise_scale_ = 1;
   std::uint32_t judged_ = 0, rejected_ = 0;  // since the last search
   std::uint32_t at_search_ = 0;              // the number of closures then

@@ -147,6 +147,10 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
       entry.is_known && pool.alive(vertex.slot) && pool.generation(vertex.slot) == entry.generation;
   if (!is_same) entry.is_held = false;  // another vertex uses the slot
   const bool moves = pool.alive(vertex.slot) && can_move(vertex.pool, vertex.slot);
+  if (moves && !pool.bounds(vertex.slot).empty()) {
+    throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(vertex.slot)) +
+                          " has bounds; use optimize()");
+  }
   const bool has_place =
       entry.block != kNone && is_same && moves &&
       factor_.dim(entry.block) == static_cast<std::uint32_t>(pool.tangent_dim(vertex.slot));
@@ -189,15 +193,10 @@ void LiveProblem::apply_edge(EdgeRef edge) {
     throw InvalidArgument("Smoother: expected edges without constraints; use optimize()");
   blocks_.clear();
   const auto slots = pool.vertex_slots(edge.slot);
-  bool is_closure = slots.size() > 1;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t vertex_pool = pool.vertex_pool(edge.slot, static_cast<int>(i));
-    if (!can_move(vertex_pool, slots[i])) continue;
-    blocks_.push_back(require_block(vertex_pool, slots[i]));
-    is_closure = is_closure && factor_.root_of(blocks_.back()) != kNone;
+    if (can_move(vertex_pool, slots[i])) blocks_.push_back(require_block(vertex_pool, slots[i]));
   }
-  if (options_.sets_outliers_aside && is_closure && !blocks_.empty())
-    closures_.push_back({edge.pool, edge.slot, pool.generation(edge.slot)});
   note_anchor(edge.pool, edge.slot);
   if (blocks_.empty()) return;
   entry.generation = pool.generation(edge.slot);
@@ -301,6 +300,11 @@ Index LiveProblem::block(VertexRef vertex) const {
   if (!is_known) return kNone;
   const VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
   return entry.generation == vertex.generation ? entry.block : kNone;
+}
+
+bool LiveProblem::takes_part(VertexRef vertex) const {
+  if (block(vertex) != kNone || graph_.is_fixed(vertex)) return true;
+  return std::any_of(held_.begin(), held_.end(), [&](const auto& held) { return held.vertex == vertex; });
 }
 
 // ---- Linearization ----
@@ -561,9 +565,17 @@ std::vector<VertexRef> LiveProblem::followers(std::span<const VertexRef> leaving
       }
     }
   };
+  // The neighbors of a vertex, which may be held and then has no block.
+  const auto for_each_neighbor_of = [&](VertexRef vertex, auto&& f) {
+    if (block(vertex) != kNone) return for_each_neighbor(block(vertex), f);
+    for (const EdgeRef& edge : graph_.edges(vertex)) {
+      for (const VertexRef& other : graph_.vertices(edge)) {
+        if (other != vertex && block(other) != kNone) f(block(other));
+      }
+    }
+  };
   for (const VertexRef& vertex : leaving) {
-    if (block(vertex) == kNone) continue;
-    for_each_neighbor(block(vertex), [&](Index b) {
+    for_each_neighbor_of(vertex, [&](Index b) {
       if (leaves(b) || stays(vertex_of_[b])) return;
       bool is_needed = false;
       for_each_neighbor(b, [&](Index other) { is_needed = is_needed || !leaves(other); });

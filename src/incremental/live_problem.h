@@ -57,8 +57,6 @@ class LiveProblem {
   double relinearize(std::span<const Index> blocks, double scale, double max_flops, bool takes_one);
   bool has_waiting_blocks() const { return !waiting_.empty(); }
 
-  /// The edges between vertices that were there before, that were added or edited since the last call.
-  std::vector<EdgeRef> take_closures() { return std::exchange(closures_, {}); }
   /// Adapts to an edge that was set aside or taken back.
   void apply_verdict(EdgeRef edge);
   /// The vertices that have got a block since the last call.
@@ -78,7 +76,8 @@ class LiveProblem {
   VertexRef vertex(Index block) const { return vertex_of_[block]; }
   /// The block of a vertex, or kNone.
   Index block(VertexRef vertex) const;
-  bool is_held(VertexRef vertex) const { return vertices_[vertex.pool][vertex.slot].is_held; }
+  /// Whether a vertex has a block, or is held or fixed.
+  bool takes_part(VertexRef vertex) const;
   std::uint32_t block_count() const { return block_count_; }
   std::uint32_t term_count() const { return term_count_; }
   /// Whether an edge was added, since the last hold(), that may anchor a component which was free before.
@@ -147,7 +146,6 @@ class LiveProblem {
   std::vector<Index> maybe_unused_;
   std::vector<Index> waiting_;  // to be linearized anew when the budget allows it
   std::vector<VertexRef> new_vertices_;
-  std::vector<EdgeRef> closures_;
   std::vector<EdgeRef> again_;           // edges whose vertices have changed
   std::vector<Index> blocks_, members_;  // of an edge; scratch memory
   std::vector<double> noticeable_;

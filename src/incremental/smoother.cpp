@@ -31,11 +31,15 @@ class Smoother::Impl {
   SmootherReport update(bool finishes) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
+    const SmootherOptions defaults;
+    if (options_.sets_outliers_aside && (options_.lag < defaults.lag || options_.lag_s < defaults.lag_s))
+      throw InvalidArgument("Smoother: expected no lag together with sets_outliers_aside");
     if (life_->is_over) throw InvalidArgument("Smoother: its graph was destroyed or moved");
     SmootherReport report;
+    is_solved_ = false;
     const StopToken flag(options_.stop), limit(options_.stop, begin, options_.time_limit_s);
     work_ = {};
-    options_.sets_outliers_aside ? judge(report, finishes, flag) : take_changes();
+    options_.sets_outliers_aside ? judge(report, finishes, flag, limit) : take_changes();
     try {
       iterate(report, finishes, flag, limit);
     } catch (...) {
@@ -56,14 +60,24 @@ class Smoother::Impl {
   }
 
   Eigen::MatrixXd covariance(std::span<const VertexRef> vertices) {
-    if (!problem_ || is_broken_) throw InvalidArgument("Smoother: expected a successful update before");
+    if (!is_solved_) throw InvalidArgument("Smoother: expected a successful update before");
+    return joint_covariance(vertices);
+  }
+
+  EdgePreview preview(EdgeRef edge) {
+    if (!is_solved_) throw InvalidArgument("Smoother: expected a successful update before");
+    return predict(edge);
+  }
+
+  /// The joint covariance of vertices, from the factor as it is.
+  Eigen::MatrixXd joint_covariance(std::span<const VertexRef> vertices) {
     std::vector<LiveProblem::Index> blocks;
     std::vector<Eigen::Index> from;  // of each scalar of the result: its place among those of the blocks
     Eigen::Index next = 0;
     for (const VertexRef& vertex : vertices) {
       const LiveProblem::Index block = problem_->block(vertex);
       const int dim = graph_.tangent_dim(vertex);
-      if (block == LiveProblem::kNone && !graph_.is_fixed(vertex) && !problem_->is_held(vertex))
+      if (!problem_->takes_part(vertex))
         throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " has no edges");
       for (int i = 0; i < dim; ++i) from.push_back(block == LiveProblem::kNone ? -1 : next++);
       if (block != LiveProblem::kNone) blocks.push_back(block);
@@ -82,9 +96,10 @@ class Smoother::Impl {
     return result;
   }
 
-  EdgePreview preview(EdgeRef edge) {
+  /// What an edge would cost and change, from the factor as it is.
+  EdgePreview predict(EdgeRef edge) {
     const std::vector<VertexRef> vertices = graph_.vertices(edge);
-    const Eigen::MatrixXd sigma = covariance(vertices);
+    const Eigen::MatrixXd sigma = joint_covariance(vertices);
     const std::vector<Eigen::MatrixXd> blocks = graph_.jacobian(edge);
     const std::vector<double> values = graph_.error(edge);
     const Eigen::Map<const Eigen::VectorXd> e(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -135,19 +150,24 @@ class Smoother::Impl {
 
   /// Judges the closures that are new, and, if it is time, all of them. If the search changes any verdict,
   /// the problem begins anew from its estimates.
-  void judge(SmootherReport& report, bool finishes, const StopToken& flag) {
-    for (const EdgeRef& edge : log_.edges) judge_.forget(edge);
+  void judge(SmootherReport& report, bool finishes, const StopToken& flag, const StopToken& limit) {
     const bool begins = log_.everything || is_broken_;
+    const std::vector<EdgeRef> held = judge_.hold_closures(graph_, begins ? everything_in(graph_) : log_);
     take_changes();
     if (begins) judge_.expect_search();
-    for (const EdgeRef& edge : problem_->take_closures()) {
-      if (begins || !graph_.is_enabled(edge)) continue;
-      is_broken_ = false;  // the factor is that of the last update, which succeeded
-      const bool accepts = judge_.accepts(edge, preview(edge), options_.false_alarm);
+    if (!begins && !held.empty()) {
+      iterate(report, false, flag, limit);  // without the new closures, which are judged from the result
+      const bool can_preview = !is_broken_;
       is_broken_ = true;
-      if (accepts) continue;
-      problem_->apply_verdict(edge);
-      report.set_aside.push_back(edge);
+      for (const EdgeRef& edge : held) {
+        if (!can_preview || needs(edge)) {
+          judge_.take_back(edge);
+        } else if (!judge_.accepts(edge, predict(edge), options_.false_alarm)) {
+          report.set_aside.push_back(edge);
+          continue;
+        }
+        problem_->apply_verdict(edge);
+      }
     }
     if (!judge_.is_search_due(finishes)) return;
     const std::vector<EdgeRef> changed = judge_.search(graph_, options_.false_alarm, flag);
@@ -157,6 +177,21 @@ class Smoother::Impl {
         (is_aside ? report.set_aside : report.taken_back).push_back(edge);
     }
     if (!changed.empty()) log_.everything = true, take_changes();
+  }
+
+  /// Whether a vertex of the edge has no other edge that takes part.
+  bool needs(EdgeRef edge) const {
+    for (const VertexRef& vertex : graph_.vertices(edge)) {
+      if (!problem_->takes_part(vertex)) return true;
+    }
+    return false;
+  }
+
+  static detail::ChangeLog everything_in(const Graph& graph) {
+    detail::ChangeLog log;
+    log.vertices = graph.all_vertices();
+    log.edges = graph.all_edges();
+    return log;
   }
 
   /// Linearizes, factorizes and solves until no vertex has to be linearized anew.
@@ -180,6 +215,7 @@ class Smoother::Impl {
       if (is_lost) return fail(report, lost);
       solved_.clear();
       finishes ? factor.solve_all(solved_) : factor.solve(solved_);
+      is_solved_ = true;
       problem_->move(solved_);
       constexpr double kFinished = 1e-4;
       const double distance = problem_->relinearize(
@@ -230,6 +266,11 @@ class Smoother::Impl {
     const Report batch = optimize(copy, options);
     take_estimates(graph_, copy);
     log_.everything = true;
+    if (!batch.converged()) return;
+    take_changes();
+    is_solved_ = problem_->linearize(StopToken(), report.relinearized) == LiveProblem::Linearized::kAll &&
+                 problem_->factor().factorize(StopToken(), work_).status == LinearStatus::kOk;
+    if (is_solved_) is_broken_ = false;
     report.started_over = true;
     report.reason = batch.converged()                           ? SmootherReport::Reason::kConverged
                     : batch.reason == Report::Reason::kStopFlag ? SmootherReport::Reason::kStopFlag
@@ -245,6 +286,7 @@ class Smoother::Impl {
     report.message =
         "vertex " + std::to_string(graph_.id(problem_->vertex(block))) + " is not determined by its edges";
     problem_->restore();
+    is_solved_ = false;
   }
 
   void fail_at_edge(SmootherReport& report) {
@@ -266,6 +308,7 @@ class Smoother::Impl {
   LagWindow window_;
   std::vector<LiveProblem::Index> solved_;
   bool is_broken_ = false;  // the next update begins anew
+  bool is_solved_ = false;  // the last update has a factor and a solution
 };
 
 std::string_view to_string(SmootherReport::Reason reason) {
