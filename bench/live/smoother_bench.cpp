@@ -23,6 +23,7 @@
 #include "boxplus/io/graph_file.h"
 #include "boxplus/outliers/outliers.h"
 #include "boxplus/testing/false_closures.h"
+#include "boxplus/types/slam2d.h"
 #include "datasets/cpu_time.h"
 #include "datasets/median.h"
 #include "replay/replay_run.h"

@@ -136,9 +136,9 @@ void EdgePool::reserve_slots(std::size_t edges) {
 }
 
 /// The position in free_ of a slot for edges of this arity, or free_.size() if there is no such slot. Looks
-/// only at the last few entries of free_.
+/// only at the last entries of free_, but at so many that a pool whose arities vary does not grow for ever.
 std::size_t EdgePool::find_free(std::size_t arity) const {
-  constexpr std::size_t kLook = 16;
+  constexpr std::size_t kLook = 256;
   for (std::size_t k = 1; k <= std::min(kLook, free_.size()); ++k) {
     const std::size_t at = free_.size() - k;
     if (static_cast<std::size_t>(this->arity(free_[at])) == arity) return at;

@@ -468,27 +468,32 @@ TEST(Smoother, SetsFalseClosuresAsideAsTheSearchOfTheWholeGraphDoes) {
 }
 
 TEST(Smoother, TakesAClosureBackIfLaterOnesSpeakForIt) {
-  // A loop whose odometry is wrong in one place, so that each closure seems false until there are several.
+  // The noise is five times what Ω says, so that the first closures seem false.
+  std::mt19937 random(1);
+  std::normal_distribution<> noise(0, 0.05);
   Graph graph;
   Smoother smoother(graph, {.sets_outliers_aside = true});
   std::vector<VertexHandle<SE2>> poses;
   constexpr int kLap = 40;
-  const SE2 motion(1, 0, 2 * kPi / kLap);
   std::size_t aside = 0, back = 0;
-  for (int k = 0; k < 3 * kLap; ++k) {
-    const SE2 measured = k == kLap / 2 ? motion * SE2(0.4, 0.3, 0.05) : motion;
-    poses.push_back(graph.add_vertex(k == 0 ? SE2() : graph.estimate(poses.back()) * measured));
-    if (k > 0) graph.add_edge(Between(measured), 1e4, poses[poses.size() - 2], poses.back());
-    if (k >= kLap) graph.add_edge(Between(SE2()), 1e4, poses[poses.size() - 1 - kLap], poses.back());
+  const auto add = [&](const SE2& motion, std::size_t from) {
+    const SE2 measured = motion * SE2(noise(random), noise(random), 0.1 * noise(random));
+    if (from == poses.size()) poses.push_back(graph.add_vertex(graph.estimate(poses.back()) * measured));
+    const auto first = from + 1 == poses.size() ? poses[poses.size() - 2] : poses[from];
+    graph.add_edge(Between(measured), 1e4, first, poses.back());
+  };
+  poses.push_back(graph.add_vertex(SE2()));
+  for (int k = 1; k < 3 * kLap; ++k) {
+    add(SE2(1, 0, 2 * kPi / kLap), poses.size());
+    if (k >= kLap) add(SE2(), poses.size() - 1 - kLap);
     const SmootherReport report = smoother.update();
     aside += report.set_aside.size();
     back += report.taken_back.size();
   }
-  (void)smoother.finish();
+  back += smoother.finish().taken_back.size();
   EXPECT_GT(aside, 0u);
   EXPECT_GT(back, 0u);
-  const OutlierReport expected = find_outliers(graph);
-  EXPECT_EQ(smoother.set_aside().size(), expected.verdicts.size() - expected.count(Verdict::kInlier));
+  EXPECT_TRUE(smoother.set_aside().empty());
 }
 
 }  // namespace

@@ -111,8 +111,9 @@ Index IncrementalFactor::add_term(std::span<const Index> blocks) {
     touch(blocks[i]);
   }
   term.size = size;
-  term.values = reuse(list_for(free_values_, size), static_cast<std::uint32_t>(values_.size()));
-  if (term.values == values_.size()) values_.resize(values_.size() + size);
+  term.values =
+      reuse(list_for(free_values_, SizedMemory::class_of(size)), static_cast<std::uint32_t>(values_.size()));
+  if (term.values == values_.size()) values_.resize(values_.size() + SizedMemory::room_of(size));
   term.is_changed = false;
   clear_term(t);
   return t;
@@ -125,7 +126,7 @@ void IncrementalFactor::remove_term(Index t) {
     list.erase(std::find(list.begin(), list.end(), t));
     touch(b);
   }
-  list_for(free_values_, term.size).push_back(term.values);
+  list_for(free_values_, SizedMemory::class_of(term.size)).push_back(term.values);
   term.blocks.clear();
   free_terms_.push_back(t);
 }
@@ -215,27 +216,37 @@ void IncrementalFactor::load_term(const Term& term, Index pivot, double* columns
   const double* from = values_.data() + term.values;
   const std::uint32_t dim = blocks_[pivot].dim;
   const std::uint64_t sequence = blocks_[pivot].sequence;
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < term.blocks.size(); ++i) {
-    const std::uint32_t rows = blocks_[term.blocks[i]].dim;
-    if (term.blocks[i] == pivot) {
-      j = i;
-      for (std::uint32_t c = 0; c < rows; ++c) columns[std::size_t{c} * leading + last] -= from[c];
+  for (const Index b : term.blocks) {
+    if (b == pivot) {
+      for (std::uint32_t c = 0; c < dim; ++c) columns[std::size_t{c} * leading + last] -= from[c];
     }
-    from += rows;
+    from += blocks_[b].dim;
   }
-  for (std::size_t i = 0; i < term.blocks.size(); ++i) {
-    const Block& first = blocks_[term.blocks[i]];
-    for (std::size_t k = 0; k <= i; ++k) {
-      const Block& second = blocks_[term.blocks[k]];
-      const std::uint32_t size = first.dim * second.dim;
-      if (k == j && first.sequence >= sequence) {
-        add_columns(from, first.dim, dim, columns + local_[term.blocks[i]], leading);
-      } else if (i == j && second.sequence > sequence) {
-        add_transposed(from, dim, second.dim, columns + local_[term.blocks[k]], leading);
+  // Row i of the blocks has those with the blocks 0 … i. `before` is the sum of the sizes of the blocks
+  // before i, and `at` is that of the blocks before the pivot.
+  std::uint32_t before = 0, at = 0;
+  bool is_after = false;
+  for (const Index b : term.blocks) {
+    const Block& block = blocks_[b];
+    if (b == pivot) {
+      is_after = true;
+      at = before;
+      const double* part = from;
+      for (const Index other : term.blocks) {
+        const Block& column = blocks_[other];
+        if (column.sequence > sequence)
+          add_transposed(part, dim, column.dim, columns + local_[other], leading);
+        if (other == pivot) {
+          add_columns(part, dim, dim, columns + local_[pivot], leading);
+          break;
+        }
+        part += std::size_t{dim} * column.dim;
       }
-      from += size;
+    } else if (is_after && block.sequence > sequence) {
+      add_columns(from + std::size_t{block.dim} * at, block.dim, dim, columns + local_[b], leading);
     }
+    before += block.dim;
+    from += std::size_t{block.dim} * before;
   }
 }
 
@@ -304,7 +315,8 @@ double IncrementalFactor::expect_change(Index block, double limit) {
   double flops = 0;
   for (const Index t : blocks_[block].terms) {
     for (const Index b : terms_[t].blocks) {
-      for (Index f = blocks_[b].front; f != kNone && fronts_[f].prediction != prediction_; f = fronts_[f].parent) {
+      for (Index f = blocks_[b].front; f != kNone && fronts_[f].prediction != prediction_;
+           f = fronts_[f].parent) {
         fronts_[f].prediction = prediction_;
         flops += fronts_[f].flops();
         stack_.push_back(f);

@@ -130,7 +130,7 @@ class IncrementalFactor {
     Index pivots = 0, parent = kNone;
     std::uint32_t columns = 0, below = 0, leading = 0;  // `below` contains the right-hand side
     double* values = nullptr;                           // the panel, and then the update matrix
-    std::uint64_t prediction = 0;  // the last one that counts this front
+    std::uint64_t prediction = 0;                       // the last one that counts this front
     bool is_moved = false;     // its rows have moved, so that the runs of its children are out of date
     bool is_dirty = false;     // is to be computed
     bool is_unsolved = false;  // was computed after the last solve()
@@ -176,7 +176,7 @@ class IncrementalFactor {
   std::vector<Front> fronts_;
   std::vector<Index> free_blocks_, free_terms_, free_fronts_;
   std::vector<double> values_;
-  std::vector<std::vector<std::uint32_t>> free_values_;  // per size
+  std::vector<std::vector<std::uint32_t>> free_values_;  // per SizedMemory::class_of()
   std::vector<double> x_, published_, noticeable_;       // per scalar
   std::vector<std::vector<std::uint32_t>> free_x_;       // per size
   SizedMemory memory_;

@@ -71,9 +71,15 @@ class BitGraph {
     return graph.data() + k * words_;
   }
   std::uint32_t count_of(const std::uint64_t* words) const {
-    int count = 0;
-    for (std::uint32_t w = 0; w < words_; ++w) count += std::popcount(words[w]);
+    std::uint64_t count = 0;
+    for (std::uint32_t w = 0; w < words_; ++w) count += ones(words[w]);
     return static_cast<std::uint32_t>(count);
+  }
+  /// std::popcount() without the call of a function on processors that have no instruction for it.
+  static std::uint64_t ones(std::uint64_t word) {
+    word -= (word >> 1) & 0x5555555555555555u;
+    word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
+    return ((word + (word >> 4)) & 0x0F0F0F0F0F0F0F0Fu) * 0x0101010101010101u >> 56;
   }
   template <class F>
   void for_each_bit(const std::uint64_t* words, F&& f) const {
