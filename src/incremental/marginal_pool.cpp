@@ -83,6 +83,9 @@ std::uint32_t MarginalPool::add(std::span<const VertexRef> vertices, const Eigen
     means[p]->save(std::span(slots).subspan(first, sizes[p]), prior.means[p]);
     first += sizes[p];
   }
+  for (std::uint32_t edge = 0; edge < this->slots(); ++edge) {
+    if (!alive(edge)) priors_[edge] = {};  // its memory is no longer needed
+  }
   const std::uint32_t slot = next_slot(slots.size());
   if (slot >= priors_.size()) priors_.resize(slot + std::size_t{1});
   priors_[slot] = std::move(prior);

@@ -217,7 +217,7 @@ class Smoother::Impl {
       finishes ? factor.solve_all(solved_) : factor.solve(solved_);
       is_solved_ = true;
       problem_->move(solved_);
-      constexpr double kFinished = 1e-4;
+      constexpr double kFinished = 1e-6;
       const double distance = problem_->relinearize(
           solved_, finishes ? kFinished : 1.0,
           finishes ? std::numeric_limits<double>::infinity() : options_.max_flops - work_.flops,
@@ -226,10 +226,12 @@ class Smoother::Impl {
       report.moved += static_cast<std::uint32_t>(solved_.size());
       if (!problem_->has_queued_edges())
         return end(report, problem_->has_waiting_blocks() ? Reason::kMaxFlops : Reason::kConverged);
-      growths = distance > farthest ? growths + 1 : 0;
+      growths = distance > farthest && distance > 1 ? growths + 1 : 0;
       farthest = distance;
-      constexpr int kMostGrowths = 3;
-      if (growths >= kMostGrowths || !std::isfinite(distance)) return start_over(report);
+      constexpr int kMostGrowths = 3, kPatience = 12;
+      const bool diverges = growths >= kMostGrowths || !std::isfinite(distance);
+      const bool wanders = report.iterations >= kPatience && distance > 1;
+      if (diverges || wanders) return start_over(report, finishes);
       constexpr int kMostToFinish = 100;
       if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations))
         return end(report, Reason::kMaxIterations);
@@ -257,11 +259,12 @@ class Smoother::Impl {
   }
 
   /// Gauss-Newton steps diverge: lets optimize() look for the optimum, from the estimates before the update.
-  void start_over(SmootherReport& report) {
+  void start_over(SmootherReport& report, bool finishes) {
     problem_->restore();
     Options options{.start = Start::kAutomatic, .threads = 1};
     options.stop = options_.stop;
     options.numeric_jacobians = options_.numeric_jacobians;
+    if (finishes) options.noise_tolerance = 0, options.cost_tolerance = 1e-15;
     Graph copy = judge_.copy_without_aside(graph_);
     const Report batch = optimize(copy, options);
     take_estimates(graph_, copy);
