@@ -37,10 +37,8 @@ void grow(GraphFile& file, GrowingOptions options) {
   Graph graph;
   GraphFeed feed(file.graph, file.edges.empty() ? file.graph.all_edges() : file.edges, graph);
   GrowingRun run(graph, options);
-  if (feed.is_anchored()) run.solver().release_gauge();
   while (feed.step()) run.solve();
   run.finish();
-  run.solver().release_gauge();
   feed.copy_estimates_to(file.graph);
 }
 
@@ -55,7 +53,6 @@ int run(int argc, char** argv) {
     GrowingRun run(file.graph, arguments.growing);
     serve_protocol(file.graph, run);
     run.finish();
-    run.solver().release_gauge();
   }
   if (!arguments.output.empty()) save_graph(arguments.output, file);
   return kSuccess;

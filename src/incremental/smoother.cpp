@@ -228,12 +228,12 @@ class Smoother::Impl {
         return end(report, problem_->has_waiting_blocks() ? Reason::kMaxFlops : Reason::kConverged);
       growths = distance > farthest && distance > 1 ? growths + 1 : 0;
       farthest = distance;
-      constexpr int kMostGrowths = 3, kPatience = 12;
+      constexpr int kMostGrowths = 3, kPatience = 12, kMostToFinish = 40;
       const bool diverges = growths >= kMostGrowths || !std::isfinite(distance);
       const bool wanders = report.iterations >= kPatience && distance > 1;
-      if (diverges || wanders) return start_over(report, finishes);
-      constexpr int kMostToFinish = 100;
-      if (report.iterations >= (finishes ? kMostToFinish : options_.max_iterations))
+      const bool is_slow = finishes && report.iterations >= kMostToFinish;
+      if (diverges || wanders || is_slow) return start_over(report, finishes);
+      if (!finishes && report.iterations >= options_.max_iterations)
         return end(report, Reason::kMaxIterations);
       if (limit.raised()) return end(report, flag.raised() ? Reason::kStopFlag : Reason::kTimeLimit);
     }

@@ -26,8 +26,6 @@ const Tag& tag_of(const Graph& graph, Ref element, std::string_view type) {
 GraphFeed::GraphFeed(const Graph& source, const std::vector<EdgeRef>& edges, Graph& target)
     : source_(source), target_(target), placement_(target) {
   for (const VertexRef& parameter : source.all_parameters()) copy(parameter, true);
-  for (const VertexRef& vertex : source.all_vertices())
-    is_anchored_ = is_anchored_ || source.is_fixed(vertex);
   items_.reserve(edges.size());
   for (const EdgeRef& edge : edges) items_.push_back(item_of(edge));
   std::stable_sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
@@ -37,11 +35,9 @@ GraphFeed::GraphFeed(const Graph& source, const std::vector<EdgeRef>& edges, Gra
 
 GraphFeed::Item GraphFeed::item_of(EdgeRef edge) {
   Id pose = -1, any = -1;
-  int count = 0;
   bool has_other = false;
   for (const VertexRef& vertex : source_.vertices(edge)) {
     if (is_parameter(source_, vertex)) continue;
-    ++count;
     detail::Frame frame;
     const bool is_pose =
         source_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) && frame.has_rotation;
@@ -50,7 +46,6 @@ GraphFeed::Item GraphFeed::item_of(EdgeRef edge) {
     if (is_pose) pose = std::max(pose, id);
     has_other = has_other || !is_pose;
   }
-  is_anchored_ = is_anchored_ || count == 1;
   return {pose >= 0 ? pose : any, has_other, edge};
 }
 

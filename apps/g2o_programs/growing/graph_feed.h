@@ -22,8 +22,6 @@ class GraphFeed {
   /// without edges are then added. Throws InvalidArgument if the type of an element has no tag.
   bool step();
 
-  /// Whether the graph has a fixed vertex or an edge with only one vertex, so that its place is determined.
-  bool is_anchored() const { return is_anchored_; }
   /// Copies the estimates of the target to a graph with the same vertices (by their ids).
   void copy_estimates_to(Graph& graph) const;
 
@@ -44,7 +42,6 @@ class GraphFeed {
   Placement placement_;
   std::vector<Item> items_;
   std::size_t next_ = 0;
-  bool is_anchored_ = false;
 };
 
 }  // namespace boxplus::programs

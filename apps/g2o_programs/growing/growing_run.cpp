@@ -17,7 +17,7 @@ namespace boxplus::programs {
 
 void declare(Arguments& arguments, GrowingOptions& options) {
   arguments.count("update", options.solver.update_every, 1, std::numeric_limits<int>::max(),
-                  "one iteration over the whole graph after every n new vertices");
+                  "update the estimates after every n new vertices");
   arguments.flag("v", options.verbose, "print a line per optimization");
   arguments.flag("g", options.draws, "draw the graph with gnuplot after every optimization");
 }
@@ -38,28 +38,26 @@ void GrowingRun::finish() {
   solver_.converge();
   if (options_.verbose) print("batch");
   if (gnuplot_) gnuplot_->draw(graph_);
-  const Report& report = solver_.report();
+  const IncrementalSolver::Summary& report = solver_.summary();
   print_remark(fmt::format("{} vertices, {} edges", graph_.vertex_count(), graph_.edge_count()));
-  if (!report.converged()) print_remark(report.message);
-  print_remark(fmt::format("final chi2 = {:.10g}", report.chi2_final));
+  if (!report.converged) print_remark(report.message);
+  print_remark(fmt::format("final chi2 = {:.10g}", report.chi2));
 }
 
 void GrowingRun::print(const char* work) const {
-  const Report& report = solver_.report();
-  const char* const plan = report.plan_reused ? "kept" : "new";
+  const IncrementalSolver::Summary& report = solver_.summary();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
   fmt::print(
       stderr,
-      "{}\t vertices= {}\t edges= {}\t chi2= {:.6g}\t iterations= {}\t plan= {}\t time= {:.6f}\t cumTime= "
+      "{}\t vertices= {}\t edges= {}\t chi2= {:.6g}\t iterations= {}\t moved= {}\t time= {:.6f}\t cumTime= "
       "{:.6f}\n",
-      work, graph_.vertex_count(), graph_.edge_count(), report.chi2_final, report.iterations, plan,
-      report.time.total_s, elapsed.count());
+      work, graph_.vertex_count(), graph_.edge_count(), report.chi2, report.iterations, report.moved,
+      report.time_s, elapsed.count());
 }
 
 void serve_protocol(Graph& graph, GrowingRun& run) {
   CommandStream stream("<stdin>");
-  Protocol protocol(graph, stream.name(),
-                    {.solve = [&] { run.solve(); }, .fix = [&] { run.solver().release_gauge(); }});
+  Protocol protocol(graph, stream.name(), {.solve = [&] { run.solve(); }});
   std::array<char, 1 << 16> piece;
   while (true) {
     const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());

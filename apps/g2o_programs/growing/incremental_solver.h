@@ -5,48 +5,47 @@
 #include <atomic>
 #include <cstddef>
 
+#include "boxplus/incremental/smoother.h"
 #include "boxplus/optimize/optimizer.h"
 
 namespace boxplus::programs {
 
 struct IncrementalOptions {
-  int update_every = 10;  ///< one iteration over the whole graph after so many new vertices
-  int batch_every = 0;    ///< as many iterations as necessary after so many new vertices; 0: never
-  bool pcg = false;       ///< conjugate gradients instead of a factorization
+  int update_every = 10;  ///< an update after so many new vertices
+  int batch_every = 0;    ///< a batch optimization after so many new vertices; 0: never
+  bool pcg = false;       ///< batch optimizations use conjugate gradients instead of a factorization
   const std::atomic<bool>* stop = nullptr;  ///< ends an optimization; may be null
 };
 
-/// One Optimizer for the life of the graph.
+/// One Smoother for the life of the graph.
 class IncrementalSolver {
  public:
   enum class Work { kNothing, kUpdate, kBatch };
+  /// What the last optimization did.
+  struct Summary {
+    double chi2 = 0, time_s = 0;
+    int iterations = 0;
+    std::size_t moved = 0;  ///< the number of estimates that were computed
+    bool converged = true;
+    std::string message;
+  };
 
   /// `graph` must outlive this object.
   IncrementalSolver(Graph& graph, const IncrementalOptions& options);
 
-  /// Does what is due since the last call: nothing, one iteration, or iterations until it converges.
+  /// Does what is due since the last call: nothing, an update, or a batch optimization.
   Work solve();
-  /// Iterates until it converges. If the estimates turn out to be bad, tries another start, too
+  /// A batch optimization. If the estimates turn out to be bad, tries another start, too
   /// (Start::kAutomatic).
   void converge();
-  /// The last run.
-  const Report& report() const { return report_; }
-
-  /// If nothing determines the place of the graph, its first pose is fixed while it grows. After this call,
-  /// the user determines the place.
-  void release_gauge();
+  const Summary& summary() const { return summary_; }
 
  private:
-  void hold_gauge();
-  void run(int iterations, Start start);
-
   Graph& graph_;
   IncrementalOptions options_;
-  Optimizer optimizer_;
-  Report report_;
+  Smoother smoother_;
+  Summary summary_;
   std::size_t at_update_ = 0, at_batch_ = 0;  // the number of vertices then
-  VertexRef held_ = {};
-  bool holds_ = false, may_hold_ = true;
 };
 
 }  // namespace boxplus::programs
