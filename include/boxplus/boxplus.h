@@ -18,6 +18,8 @@
 //     certify/certificate.h                whether the minimum of a pose graph is global
 //     diagnose/diagnose.h                  what is wrong with a graph
 //     outliers/outliers.h                  which edges are false
+//     incremental/smoother.h               keeps a graph at its optimum while it grows and changes
+//     incremental/marginalize.h            replaces vertices by a prior on their neighbors
 //     linear/linear_solver.h               custom linear solvers
 //     testing/check_jacobians.h, …         checks of custom types
 #pragma once
