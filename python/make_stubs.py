@@ -27,7 +27,7 @@ TYPES = ((r"\b(?:[a-z]\w*::)+", ""), ("::", "."), ("CovarianceObject", "Covarian
 ARGUMENTS = {
     **dict.fromkeys(("coefficients", "color", "delta", "direction", "estimates", "minimal", "moment", "other", "point",
                      "rotation_vector", "tangent", "translation", "vector"), "ArrayLike"),
-    **dict.fromkeys(("evidence", "false_alarm", "tolerance"), "float"),
+    **dict.fromkeys(("evidence", "false_alarm", "seconds", "tolerance"), "float"),
     **dict.fromkeys(("max_escapes", "new_id", "window"), "int"),
     **dict.fromkeys(("a", "b", "id", "vertex"), "Vertex"),
     "directions": "Sequence[int]",

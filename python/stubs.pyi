@@ -84,6 +84,14 @@ def optimize(graph: Graph, options: Options | None = None, **changes: Any) -> Re
 class Optimizer:
     def run(self) -> Report: ...
 
+class SmootherOptions:
+    lag: int | None
+    stop: StopFlag | None
+
+class Smoother:
+    def __init__(self, graph: Graph, options: SmootherOptions | None = None, **changes: Any) -> None: ...
+    def set_options(self, options: SmootherOptions | None = None, **changes: Any) -> None: ...
+
 class Viewer:
     def __init__(self, graph: Graph, *, name: str = "graph", host: str = "127.0.0.1", port: int = 0) -> None: ...
     @property

@@ -37,7 +37,9 @@ for _name in ("optimize", "covariance", "marginal_covariances", "diagnose", "fin
     globals()[_name] = _stoppable(getattr(_boxplus, _name))
 for _name in ("run", "covariance", "marginal_covariances"):
     setattr(_boxplus.Optimizer, _name, _stoppable_run(getattr(_boxplus.Optimizer, _name)))
-load = _awaited(_boxplus.load)
+for _name in ("update", "finish"):
+    setattr(_boxplus.Smoother, _name, _stoppable_run(getattr(_boxplus.Smoother, _name)))
+load, marginalize = _awaited(_boxplus.load), _awaited(_boxplus.marginalize)
 __version__ = _boxplus.__version__
 
 _boxplus.Graph.__reduce_ex__ = _reduce_graph

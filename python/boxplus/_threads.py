@@ -74,7 +74,7 @@ def stoppable(function):
 
 
 def stoppable_run(method):
-    """Optimizer.run() and the covariances of an Optimizer."""
+    """The runs of an Optimizer, with its covariances, and of a Smoother."""
     @functools.wraps(method)
     def run(self, *arguments, **named):
         if threading.current_thread() is threading.main_thread():

@@ -32,6 +32,7 @@ void bind_covariance(py::module_& module);
 void bind_certificate(py::module_& module);
 void bind_diagnose(py::module_& module);
 void bind_outliers(py::module_& module);
+void bind_smoother(py::module_& module);
 void bind_viewer(py::module_& module);
 /// Call it last: no use of the classes in a module or class may end the process.
 void make_classes_safe(py::handle scope);

@@ -2,7 +2,6 @@
 // Options: attributes, and keyword arguments of optimize().
 #include <pybind11/stl.h>
 
-#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "convert.h"
 #include "enumerators.h"
 #include "members.h"
+#include "option_class.h"
 #include "options_object.h"
 
 namespace boxplus::python {
@@ -27,28 +27,12 @@ constexpr std::tuple kOptions = std::tuple_cat(
 static_assert(member_count<Options>() == std::tuple_size_v<decltype(kOptions)> + 4,
               "kOptions does not have all members of Options");
 
-template <class T>
-void read(py::handle value, const std::string& name, T& out) {
-  if constexpr (std::is_enum_v<T>) {
-    out = read_enumerator<T>(value, name);
-  } else if constexpr (std::is_same_v<T, bool>) {
-    if (!py::isinstance<py::bool_>(value)) throw_type_error(name, "a bool", value);
-    out = value.cast<bool>();
-  } else if constexpr (std::is_integral_v<T>) {
-    const std::int64_t number = read_integer(value, name);
-    if (!std::in_range<T>(number)) throw_value_error(name, "an int in the range of the option", value);
-    out = static_cast<T>(number);
-  } else if constexpr (std::is_same_v<T, double>) {  // may be infinite; the engine refuses NaN
-    if (!PyFloat_Check(value.ptr()) && !is_integer(value) && !py::hasattr(value, "__float__"))
-      throw_type_error(name, "a float", value);
-    out = py::float_(py::reinterpret_borrow<py::object>(value));
-  } else {
-    try {
-      out = value.cast<T>();
-    } catch (const py::cast_error&) {
-      throw_type_error(name, "a list of EdgeRefs", value);
-    }
-  }
+/// The names of all options that Python can write.
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  std::apply([&](const auto&... member) { (result.emplace_back(member.name), ...); }, kOptions);
+  result.insert(result.end(), {"vertices", "callback", "stop"});
+  return result;
 }
 
 void set_vertices(OptionsObject& options, py::handle vertices) {
@@ -72,22 +56,6 @@ void set_callback(OptionsObject& options, const py::object& callback) {
   options.callback = callback;
 }
 
-/// "Options(max_iterations=3)": the options that differ from their defaults.
-std::string options_text(const py::object& self) {
-  const py::object defaults = py::type::of(self)();
-  std::string text;
-  const auto append = [&](const char* name) {
-    const py::object value = self.attr(name);
-    if (value.equal(defaults.attr(name))) return;
-    text += (text.empty() ? "" : ", ") + std::string(name) + "=" + std::string(py::repr(value));
-  };
-  std::apply([&](const auto&... member) { (append(member.name.data()), ...); }, kOptions);
-  append("vertices");
-  append("callback");
-  append("stop");
-  return "Options(" + text + ")";
-}
-
 }  // namespace
 
 Options OptionsObject::for_graph(const Graph& graph) const {
@@ -104,16 +72,7 @@ OptionsObject options_with(py::handle options, const py::kwargs& changes) {
   if (!options.is_none() && !py::isinstance<OptionsObject>(options))
     throw_type_error("options", "an Options or None", options);
   OptionsObject result = options.is_none() ? OptionsObject{} : options.cast<const OptionsObject&>();
-  const py::object object = py::cast(&result, py::return_value_policy::reference);
-  for (const auto& [name, value] : changes) {
-    if (!py::hasattr(object, name)) {
-      std::string names;
-      std::apply([&](const auto&... member) { ((names += std::string(member.name) + ", "), ...); }, kOptions);
-      throw py::type_error("Options: expected one of " + names + "vertices, callback, stop, got " +
-                           std::string(py::repr(name)));
-    }
-    py::setattr(object, name, value);
-  }
+  set_options(py::cast(&result, py::return_value_policy::reference), changes, names());
   return result;
 }
 
@@ -145,7 +104,7 @@ void bind_options(py::module_& module) {
     type.def_property(
         member.name.data(), [member](const OptionsObject& self) { return self.options.*member.member; },
         [member, name](OptionsObject& self, const py::object& value) {
-          read(value, name, self.options.*member.member);
+          read_option(value, name, self.options.*member.member);
         },
         member.help.data());
   };
@@ -158,7 +117,7 @@ void bind_options(py::module_& module) {
           "Called after every iteration with an IterationRecord. If it returns False, the run stops.")
       .def_readwrite("stop", &OptionsObject::stop)
       .def("__copy__", [](const OptionsObject& self) { return self; })
-      .def("__repr__", &options_text);
+      .def("__repr__", [](const py::object& self) { return options_text(self, names()); });
 }
 
 }  // namespace boxplus::python

@@ -12,6 +12,7 @@
 #include "boxplus/certify/certificate.h"
 #include "boxplus/covariance/covariance.h"
 #include "boxplus/diagnose/diagnose.h"
+#include "boxplus/incremental/smoother_options.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/outliers/outliers.h"
 #include "convert.h"
@@ -204,6 +205,14 @@ struct Enumerators<Certificate::Relation> {
   static constexpr const char* kName = "Relation";
   static constexpr Enumerator<Certificate::Relation> kAll[] = {
       {"kEqual", kEqual}, {"kBelow", kBelow}, {"kSimilar", kSimilar}};
+};
+template <>
+struct Enumerators<SmootherReport::Reason> {
+  using enum SmootherReport::Reason;
+  static constexpr const char* kName = "Reason";
+  static constexpr Enumerator<SmootherReport::Reason> kAll[] = {
+      {"kConverged", kConverged}, {"kMaxIterations", kMaxIterations}, {"kTimeLimit", kTimeLimit},
+      {"kStopFlag", kStopFlag},   {"kNonFinite", kNonFinite},         {"kNotDetermined", kNotDetermined}};
 };
 
 /// "levenberg-marquardt" for "kLevenbergMarquardt".

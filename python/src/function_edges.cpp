@@ -110,6 +110,17 @@ FreshEdge::~FreshEdge() {
   if (pool_ != nullptr) pool_->end_fresh();
 }
 
+FreshEdges::FreshEdges(const Graph& graph) {
+  for (const auto& pool : graph.edge_pools()) {
+    if (const auto* batched = dynamic_cast<const BatchedPool*>(pool.get())) pools_.push_back(batched);
+  }
+  for (const BatchedPool* pool : pools_) pool->begin_fresh();
+}
+
+FreshEdges::~FreshEdges() {
+  for (const BatchedPool* pool : pools_) pool->end_fresh();
+}
+
 void forget_results(const Graph& graph) {
   for (const auto& pool : graph.edge_pools()) {
     if (const auto* batched = dynamic_cast<const BatchedPool*>(pool.get())) batched->forget();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "convert.h"
 #include "graph_object.h"
@@ -48,6 +49,19 @@ class FreshEdge {
 
  private:
   const BatchedPool* pool_ = nullptr;  // of the edge; null if it is no function of Python
+};
+
+/// Likewise for all edges of a graph: a function is only called for the edges that are asked for, a few at a
+/// time. For runs that need few of the edges.
+class FreshEdges {
+ public:
+  explicit FreshEdges(const Graph& graph);
+  ~FreshEdges();
+  FreshEdges(const FreshEdges&) = delete;
+  FreshEdges& operator=(const FreshEdges&) = delete;
+
+ private:
+  std::vector<const BatchedPool*> pools_;
 };
 
 /// What the functions of the pools of a graph have cost so far: a list of (name, jacobians, calls, edges,

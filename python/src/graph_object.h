@@ -74,6 +74,11 @@ class GraphObject : public std::enable_shared_from_this<GraphObject> {
     return open;
   }
 
+  /// Destroys a thing that changes the graph in its destructor: now, or at the end of the run.
+  void destroy(std::shared_ptr<void> thing) {
+    if (use_ != Use::kFree) destroyed_later_.push_back(std::move(thing));
+  }
+
   /// While it exists, nobody may change the graph. For functions that evaluate edges, because error functions
   /// of Python could change it.
   class Reading {
@@ -95,7 +100,10 @@ class GraphObject : public std::enable_shared_from_this<GraphObject> {
       graph.use_ = use;
       forget_results(*native_);
     }
-    ~Run() { graph_->use_ = Use::kFree; }
+    ~Run() {
+      graph_->use_ = Use::kFree;
+      graph_->destroyed_later_.clear();
+    }
     Run(const Run&) = delete;
     Run& operator=(const Run&) = delete;
     Graph& graph() { return *native_; }
@@ -125,6 +133,7 @@ class GraphObject : public std::enable_shared_from_this<GraphObject> {
 
   GraphFile file_;
   std::vector<std::weak_ptr<ViewerInterface>> viewers_;
+  std::vector<std::shared_ptr<void>> destroyed_later_;
   Use use_ = Use::kFree;
   mutable int readers_ = 0;  // only threads with the GIL change it
 };

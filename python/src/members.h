@@ -9,6 +9,8 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <vector>
 
 #include "convert.h"
 
@@ -38,8 +40,8 @@ constexpr std::size_t member_count() {
   }
 }
 
-/// Defines a read-only attribute for each member. Lists of numbers become arrays. `kOthers` members are not
-/// in the list.
+/// Defines a read-only attribute for each member. Lists of numbers become arrays, and lists of vectors lists
+/// of arrays. `kOthers` members are not in the list.
 template <std::size_t kOthers = 0, class Class, class... M>
 void bind_members(Class& type, const std::tuple<M...>& members) {
   using T = typename Class::type;
@@ -50,6 +52,13 @@ void bind_members(Class& type, const std::tuple<M...>& members) {
       type.def_property_readonly(member.name, [pointer = member.pointer](const T& self) {
         return to_array(std::span<const double>(self.*pointer));
       });
+    } else if constexpr (std::is_same_v<Any, std::vector<Eigen::VectorXd>>) {
+      type.def_property_readonly(member.name, [pointer = member.pointer](const T& self) {
+        std::vector<Numbers> arrays;
+        for (const Eigen::VectorXd& vector : self.*pointer)
+          arrays.push_back(to_array(std::span(vector.data(), static_cast<std::size_t>(vector.size()))));
+        return arrays;
+      });
     } else {
       type.def_readonly(member.name, member.pointer);
     }
@@ -59,7 +68,7 @@ void bind_members(Class& type, const std::tuple<M...>& members) {
 
 /// A struct with read-only attributes; its repr lists them.
 template <class T, class... M>
-void bind_struct(py::handle scope, const char* name, const std::tuple<M...>& members) {
+py::class_<T> bind_struct(py::handle scope, const char* name, const std::tuple<M...>& members) {
   py::class_<T> type(scope, name, "The struct of C++ with the same members.");
   bind_members(type, members);
   type.def("__repr__", [name, members](const py::object& self) {
@@ -71,6 +80,7 @@ void bind_struct(py::handle scope, const char* name, const std::tuple<M...>& mem
     std::apply([&](const auto&... member) { (append(member.name), ...); }, members);
     return std::string(name) + "(" + text + ")";
   });
+  return type;
 }
 
 }  // namespace boxplus::python

@@ -24,6 +24,7 @@ PYBIND11_MODULE(_boxplus, module) {
   bind_certificate(module);
   bind_diagnose(module);
   bind_outliers(module);
+  bind_smoother(module);
   bind_viewer(module);
   make_classes_safe(module);
   module.attr("__version__") = BOXPLUS_VERSION;

@@ -11,9 +11,18 @@ namespace boxplus {
 namespace {
 
 void check(const Graph& graph, std::span<const VertexRef> vertices) {
+  std::vector<VertexRef> seen;
   for (const VertexRef& vertex : vertices) {
-    if (graph.is_fixed(vertex))
-      throw InvalidArgument("marginalize: vertex " + std::to_string(graph.id(vertex)) + " is fixed");
+    const auto complain = [&](const char* what) {
+      throw InvalidArgument("marginalize: vertex " + std::to_string(graph.id(vertex)) + what);
+    };
+    if (graph.is_fixed(vertex)) complain(" is fixed");
+    if (!graph.bounds(vertex).empty()) complain(" has bounds");
+    if (std::find(seen.begin(), seen.end(), vertex) != seen.end()) complain(" appears twice");
+    seen.push_back(vertex);
+    for (const EdgeRef& edge : graph.edges(vertex)) {
+      if (graph.edge_pools()[edge.pool]->shift(edge.slot) != nullptr) complain(" has a constraint");
+    }
   }
 }
 

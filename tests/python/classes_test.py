@@ -36,6 +36,8 @@ def results():
     yield from (graph, report, boxplus.covariance(graph, [1]), boxplus.diagnose(graph), boxplus.certify(graph))
     yield from (edges[0], graph.vertex(1), boxplus.find_outliers(graph), boxplus.Optimizer(graph))
     yield from (boxplus.make_robust_kernel("Huber", 1), boxplus.Constraint(len), boxplus.Between(SE2()))
+    smoother = boxplus.Smoother(graph)
+    yield from (smoother, smoother.update(), smoother.preview(edges[1]), smoother.options, boxplus.TangentDistance())
     yield from (*report.records, report.start, report.gauge, report.time, report.linear)
 
 

@@ -40,7 +40,7 @@ print("over")
 CALLS = ("boxplus.optimize(graph)", "boxplus.optimize(graph, options)", "boxplus.optimize(graph, callback=lambda record: None)",
          "optimizer.run()", "boxplus.diagnose(graph)", "boxplus.covariance(graph, [1])",
          "boxplus.optimize(graph, stop=boxplus.StopFlag())", "boxplus.find_outliers(graph)", "boxplus.certify(graph)",
-         "optimizer.covariance([1])")
+         "optimizer.covariance([1])", "boxplus.Smoother(graph).finish()", "boxplus.marginalize(graph, [graph.add_vertex([0.0])])")
 
 
 class Exits(unittest.TestCase):
