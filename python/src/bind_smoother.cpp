@@ -52,7 +52,8 @@ constexpr std::tuple kReport{Member{"reason", &SmootherReport::reason},
                              Member{"flops", &SmootherReport::flops},
                              Member{"started_over", &SmootherReport::started_over},
                              Member{"time_s", &SmootherReport::time_s},
-                             Member{"held", &SmootherReport::held}};
+                             Member{"held", &SmootherReport::held},
+                             Member{"held_directions", &SmootherReport::held_directions}};
 constexpr std::tuple kHeld{Member{"vertex", &detail::GaugeVertex::vertex},
                            Member{"id", &detail::GaugeVertex::id}};
 constexpr std::tuple kPreview{Member{"chi2", &EdgePreview::chi2},

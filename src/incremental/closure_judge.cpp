@@ -72,15 +72,16 @@ bool ClosureJudge::is_search_due(bool finishes) const {
   return rejected_ > 0 && judged_ >= std::max<double>(kFewest, kGrowth * at_search_);
 }
 
-std::vector<EdgeRef> ClosureJudge::search(Graph& graph, double false_alarm, const StopToken& stop) {
+std::vector<EdgeRef> ClosureJudge::search(Graph& graph, double false_alarm, const std::atomic<bool>* stop) {
   Graph copy = graph;
   for (const EdgeRef& edge : aside_) copy.set_enabled(edge, true);
   OutlierOptions options;
   options.options.threads = 1;
+  options.options.stop = stop;
   options.false_alarm = false_alarm;
   const OutlierReport found = find_outliers(copy, options);
   std::vector<EdgeRef> changed;
-  if (stop.raised()) return changed;
+  if (stop != nullptr && stop->load()) return changed;  // it has judged nothing
   at_search_ = static_cast<std::uint32_t>(found.verdicts.size());
   judged_ = rejected_ = 0;
   is_new_ = false;

@@ -2,12 +2,12 @@
 // Verdicts on loop closures while a graph grows.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <vector>
 
-#include "boxplus/base/stop_token.h"
 #include "boxplus/graph/change_log.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/incremental/smoother_options.h"
@@ -37,7 +37,7 @@ class ClosureJudge {
   Graph copy_without_aside(const Graph& graph) const;
   /// Judges all closures of the graph. Returns the edges whose verdicts have changed. If there are any, moves
   /// the estimates of the graph to those of the search.
-  std::vector<EdgeRef> search(Graph& graph, double false_alarm, const StopToken& stop);
+  std::vector<EdgeRef> search(Graph& graph, double false_alarm, const std::atomic<bool>* stop);
   /// Says that closures were judged by nobody yet, as those of a graph that did not grow.
   void expect_search() { is_new_ = true; }
 

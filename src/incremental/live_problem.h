@@ -34,6 +34,7 @@ class LiveProblem {
   /// they are the same.
   bool hold(const Plan& plan);
   std::span<const detail::GaugeVertex> held() const { return held_; }
+  std::size_t held_directions() const { return held_directions_.size(); }
 
   bool has_queued_edges() const;
   enum class Linearized : std::uint8_t { kAll, kStopped, kNonFinite };

@@ -15,10 +15,34 @@
 
 namespace boxplus {
 
+namespace {
+
+void require(bool is_right, const char* expected) {
+  if (!is_right) throw InvalidArgument("SmootherOptions: expected " + std::string(expected));
+}
+
+void check(const SmootherOptions& options) {
+  for (const TangentDistance* distance : {&options.relinearize, &options.noticeable}) {
+    const bool is_positive = distance->length > 0 && distance->angle > 0 && distance->other > 0;
+    require(is_positive, "positive distances in `relinearize` and `noticeable`");
+  }
+  require(options.max_iterations >= 1, "max_iterations ≥ 1");
+  require(options.max_flops > 0, "max_flops > 0");
+  require(!std::isnan(options.time_limit_s), "a number as time_limit_s");
+  require(options.lag >= 1 && options.lag_s > 0, "lag ≥ 1 and lag_s > 0");
+  require(options.false_alarm > 1e-9 && options.false_alarm < 1, "false_alarm > 1e-9 and < 1");
+  const SmootherOptions defaults;
+  const bool has_lag = options.lag < defaults.lag || options.lag_s < defaults.lag_s;
+  require(!(options.sets_outliers_aside && has_lag), "no lag together with sets_outliers_aside");
+}
+
+}  // namespace
+
 class Smoother::Impl {
  public:
   Impl(Graph& graph, SmootherOptions options)
       : graph_(graph), life_(graph.life()), options_(std::move(options)) {
+    check(options_);
     if (graph.change_log() != nullptr) throw InvalidArgument("Smoother: the graph has a Smoother already");
     log_.everything = true;
     graph.set_change_log(&log_);
@@ -31,9 +55,6 @@ class Smoother::Impl {
   SmootherReport update(bool finishes) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    const SmootherOptions defaults;
-    if (options_.sets_outliers_aside && (options_.lag < defaults.lag || options_.lag_s < defaults.lag_s))
-      throw InvalidArgument("Smoother: expected no lag together with sets_outliers_aside");
     if (life_->is_over) throw InvalidArgument("Smoother: its graph was destroyed or moved");
     SmootherReport report;
     is_solved_ = false;
@@ -54,6 +75,7 @@ class Smoother::Impl {
     report.refactored = work_.factorized_fronts;
     report.refactored_share = scalars > 0 ? work_.factorized_scalars / scalars : 0;
     report.flops = work_.flops;
+    report.held_directions = static_cast<std::uint32_t>(problem_->held_directions());
     report.held.assign(problem_->held().begin(), problem_->held().end());
     report.time_s = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;
@@ -80,7 +102,10 @@ class Smoother::Impl {
       if (!problem_->takes_part(vertex))
         throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " has no edges");
       for (int i = 0; i < dim; ++i) from.push_back(block == LiveProblem::kNone ? -1 : next++);
-      if (block != LiveProblem::kNone) blocks.push_back(block);
+      if (block == LiveProblem::kNone) continue;
+      for (const int held : problem_->factor().held_scalars(block))
+        from[from.size() - static_cast<std::size_t>(dim - held)] = -1;
+      blocks.push_back(block);
     }
     std::vector<double> values;
     problem_->factor().covariance(blocks, values);
@@ -126,10 +151,15 @@ class Smoother::Impl {
 
   void set_time(VertexRef vertex, double seconds) {
     if (!graph_.contains(vertex)) throw InvalidArgument("Smoother: stale vertex handle");
+    if (std::isnan(seconds)) throw InvalidArgument("Smoother: expected a time, got NaN");
     window_.set_time(vertex, seconds);
   }
   std::vector<EdgeRef> set_aside() const { return {judge_.aside().begin(), judge_.aside().end()}; }
-  SmootherOptions& options() { return options_; }
+  const SmootherOptions& options() const { return options_; }
+  void set_options(const SmootherOptions& options) {
+    check(options);
+    options_ = options;
+  }
 
  private:
   /// Takes over what has changed in the graph. If the function throws, the next update begins anew.
@@ -170,7 +200,7 @@ class Smoother::Impl {
       }
     }
     if (!judge_.is_search_due(finishes)) return;
-    const std::vector<EdgeRef> changed = judge_.search(graph_, options_.false_alarm, flag);
+    const std::vector<EdgeRef> changed = judge_.search(graph_, options_.false_alarm, options_.stop);
     for (const EdgeRef& edge : changed) {
       const bool is_aside = judge_.aside().contains(edge);
       if (std::erase(is_aside ? report.taken_back : report.set_aside, edge) == 0)
@@ -369,7 +399,7 @@ const SmootherOptions& Smoother::options() const {
 }
 
 void Smoother::set_options(const SmootherOptions& options) {
-  impl_->options() = options;
+  impl_->set_options(options);
 }
 
 }  // namespace boxplus

@@ -108,10 +108,12 @@ TEST(Marginalize, LeavesACopyOfTheGraphAlone) {
   EXPECT_DOUBLE_EQ(copy.chi2(), chi2);
 }
 
-TEST(Marginalize, RefusesFixedVerticesAndErrorsThatAreNotFinite) {
+TEST(Marginalize, RefusesFixedAndRepeatedVerticesAndErrorsThatAreNotFinite) {
   Plane plane;
   plane.graph.fix(plane.poses[3]);
   EXPECT_THROW(marginalize(plane.graph, {plane.poses[3]}), InvalidArgument);
+  EXPECT_THROW(marginalize(plane.graph, {plane.poses[2], plane.poses[2]}), InvalidArgument);
+  EXPECT_TRUE(plane.graph.contains(plane.poses[2]));
   const std::size_t edges = plane.graph.edge_count();
   plane.graph.set_estimate(plane.points[2], Vector2(std::nan(""), 0));
   EXPECT_THROW(marginalize(plane.graph, {plane.poses[2]}), InvalidArgument);

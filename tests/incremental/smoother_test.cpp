@@ -564,5 +564,53 @@ TEST(Smoother, TakesAClosureBackIfLaterOnesSpeakForIt) {
   EXPECT_TRUE(smoother.set_aside().empty());
 }
 
+TEST(Smoother, RefusesWrongOptionsBoundsAndConstraints) {
+  Drive drive(1);
+  EXPECT_THROW(Smoother(drive.graph, {.max_iterations = 0}), InvalidArgument);
+  EXPECT_THROW(Smoother(drive.graph, {.relinearize = {0, 1, 1}}), InvalidArgument);
+  EXPECT_THROW(Smoother(drive.graph, {.sets_outliers_aside = true, .lag = 5}), InvalidArgument);
+  Smoother smoother(drive.graph);
+  EXPECT_THROW(smoother.set_options({.max_flops = -1}), InvalidArgument);
+  drive.step();
+  EXPECT_TRUE(smoother.update().converged());
+  EXPECT_THROW(smoother.set_time(drive.poses()[0], std::nan("")), InvalidArgument);
+  const auto point = drive.graph.add_vertex(Vector2(1, 1));
+  drive.graph.add_edge(PointObservation2(Vector2(1, 1)), 1.0, drive.poses()[0], point);
+  EXPECT_TRUE(smoother.update().converged());
+  drive.graph.set_bounds(point, 0, 0.0, 0.5);
+  EXPECT_THROW(smoother.update(), InvalidArgument);
+  drive.graph.set_bounds(point, 0, -std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(smoother.update().converged());
+}
+
+TEST(Smoother, HasCovariancesOnlyAfterASolutionAndOfVerticesThatTakePart) {
+  Drive drive(2);
+  drive.step();
+  std::atomic<bool> stop = true;
+  Smoother smoother(drive.graph, {.stop = &stop});
+  EXPECT_THROW((void)smoother.covariance({drive.poses()[1]}), InvalidArgument);
+  EXPECT_EQ(smoother.update().reason, SmootherReport::Reason::kStopFlag);
+  EXPECT_THROW((void)smoother.covariance({drive.poses()[1]}), InvalidArgument);
+  stop = false;
+  EXPECT_TRUE(smoother.update().converged());
+  EXPECT_NO_THROW((void)smoother.covariance({drive.poses()[1]}));
+  EXPECT_THROW((void)smoother.covariance({drive.graph.add_vertex(SE2())}), InvalidArgument);
+  EXPECT_THROW((void)smoother.covariance({drive.graph.add_vertex(Vector3(0, 0, 0))}), InvalidArgument);
+}
+
+TEST(Smoother, HoldsADirectionThatNothingDetermines) {
+  Graph graph;
+  const auto point = graph.add_vertex(Vector2(1, 2));
+  graph.add_edge([](const Vector2& x) { return x[0] + x[1] - 1; }, 1.0, point);
+  Smoother smoother(graph);
+  const SmootherReport report = smoother.update();
+  EXPECT_TRUE(report.converged());
+  EXPECT_EQ(report.held_directions, 1u);
+  const Eigen::MatrixXd covariance = smoother.covariance({point});
+  EXPECT_EQ((covariance.array() != 0).count(), 1);
+  EXPECT_NEAR(graph.estimate(point)[0] + graph.estimate(point)[1], 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace boxplus

@@ -20,8 +20,9 @@ namespace boxplus {
 ///
 /// Only enabled edges of level 0 count, with their robust weights at the current estimates. Directions of the
 /// vertices that their edges do not determine say nothing about the others. O(d³) for d scalars of the
-/// vertices and their neighbors. Throws InvalidArgument, and changes nothing, if a vertex is stale, fixed or
-/// a parameter, and if an error or a Jacobian is not finite.
+/// vertices and their neighbors. Throws InvalidArgument, and changes nothing, if a vertex is
+/// stale, fixed or a parameter, appears twice, or has bounds or a constraint, and if an error or a Jacobian
+/// is not finite.
 std::optional<EdgeRef> marginalize(Graph& graph, std::span<const VertexRef> vertices);
 inline std::optional<EdgeRef> marginalize(Graph& graph, std::initializer_list<VertexRef> vertices) {
   return marginalize(graph, std::span(vertices.begin(), vertices.size()));

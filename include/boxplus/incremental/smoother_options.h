@@ -75,7 +75,7 @@ struct SmootherReport {
   std::uint32_t relinearized = 0;  ///< edges that were linearized in this update
   std::uint32_t ordered = 0;       ///< vertices that were ordered anew
   std::uint32_t refactored = 0;    ///< fronts of the factor that were computed
-  double refactored_share = 0;     ///< the share of the unknowns in these fronts
+  double refactored_share = 0;     ///< the share of the unknowns in these fronts, summed over the iterations
   /// Loop closures whose verdicts have changed (SmootherOptions::sets_outliers_aside).
   std::vector<EdgeRef> set_aside, taken_back;
   std::uint32_t marginalized = 0;  ///< vertices that left the lag
@@ -84,6 +84,7 @@ struct SmootherReport {
   bool started_over = false;       ///< the steps diverged, and optimize() ran over the whole graph
   double time_s = 0;
   std::vector<detail::GaugeVertex> held;  ///< vertices that are held because nothing fixes their components
+  std::uint32_t held_directions = 0;      ///< single directions that are held because nothing determines them
   bool converged() const { return reason == Reason::kConverged; }
 };
 
