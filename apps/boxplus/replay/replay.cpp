@@ -15,6 +15,7 @@
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "replay/replay_run.h"
+#include "replay/time_chart.h"
 
 namespace boxplus::app {
 namespace {
@@ -32,7 +33,7 @@ constexpr const char* kReplayFooter =
     "Exit codes: 0 converged; 1 the last step did not converge; 2 bad input or usage; 3 numerical failure.";
 
 struct ReplayArguments {
-  std::string input, output, json, times;
+  std::string input, output, json, times, plot;
   int compare_every = 0;
   bool quiet = false;
   SmootherOptions options;
@@ -149,11 +150,24 @@ std::string csv_of(const std::vector<double>& seconds) {
   return text;
 }
 
+std::string chart_of(const ReplayArguments& arguments, const Replay& replay, const Outcome& outcome) {
+  const auto ends_with = [&](std::string_view extension) { return arguments.plot.ends_with(extension); };
+  const PictureFormat format = ends_with(".png")   ? PictureFormat::kPng
+                               : ends_with(".pdf") ? PictureFormat::kPdf
+                                                   : PictureFormat::kSvg;
+  const std::string facts =
+      fmt::format("{} steps in {:.3g} s  ·  median {:.3g} µs, worst {:.3g} ms", replay.done(),
+                  replay.totals().seconds, 1e6 * outcome.median_s, 1e3 * outcome.worst_s);
+  return draw_time_chart(replay.seconds(), input_name(arguments.input), facts, format);
+}
+
 int replay_file(const ReplayArguments& arguments) {
   const std::vector<Output> outputs{graph_output("--output", arguments.output, arguments.input),
                                     {"--json", arguments.json},
-                                    {"--times", arguments.times}};
-  for (const Output& output : {outputs[1], outputs[2]}) refuse_to_replace(output, {arguments.input});
+                                    {"--times", arguments.times},
+                                    {"--plot", arguments.plot}};
+  for (const Output& output : {outputs[1], outputs[2], outputs[3]})
+    refuse_to_replace(output, {arguments.input});
   check_outputs(outputs);
   GraphFile file = read_input(arguments.input, arguments.reading);
   print_notes(file, arguments.input);
@@ -162,6 +176,7 @@ int replay_file(const ReplayArguments& arguments) {
   const Outcome outcome = run(arguments, file.graph, replay);
   if (!arguments.json.empty()) write_output(arguments.json, json_of(arguments, replay, outcome));
   if (!arguments.times.empty()) write_output(arguments.times, csv_of(replay.seconds()));
+  if (!arguments.plot.empty()) write_output(arguments.plot, chart_of(arguments, replay, outcome));
   if (!arguments.output.empty()) save_graph(arguments.output, file);
   if (!arguments.quiet) print_summary(outputs, summary(arguments, replay, outcome));
   if (!outcome.last.message.empty()) return kNumericalFailure;
@@ -176,6 +191,10 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
   command.add_option("--json", arguments.json, "Write a report to this file, or - for standard output")
       ->check(file_name());
   command.add_option("--times", arguments.times, "Write the time of each step to this CSV file")
+      ->check(file_name());
+  command
+      .add_option("--plot", arguments.plot,
+                  "Draw the time of each step in this file: .png, .pdf, or any other name for SVG")
       ->check(file_name());
   command
       .add_option("--compare-every", arguments.compare_every,

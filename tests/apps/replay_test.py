@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests `boxplus replay`, which optimizes a graph step by step."""
+
+import json
+
+from command_case import CommandCase, main, run
+
+class ReplayTest(CommandCase):
+    def simulated(self, world, *options):
+        path = self.path / (world + ".g2o")
+        done = run("simulate", world, "-o", path, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return path
+
+    def replayed(self, path, *options):
+        done = run("replay", path, "--json", "-", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def optimized(self, path, *options):
+        return json.loads(run("optimize", path, "--json", "-", *options).stdout)
+
+    def test_the_last_step_ends_at_the_optimum(self):
+        for world in "manhattan", "sphere", "city":
+            path = self.simulated(world, "--poses", "200")
+            facts = self.replayed(path)
+            self.assertTrue(facts["converged"])
+            expected = self.optimized(path)["chi2_final"]
+            self.assertLess(abs(facts["chi2_final"] - expected), 1e-6 * expected, world)
+            times = facts["time_s"]
+            self.assertGreaterEqual(times["total"], times["worst"])
+            self.assertGreaterEqual(times["worst"], times["median"])
+
+    def test_each_step_is_near_the_optimum_of_the_graph_so_far(self):
+        facts = self.replayed(self.simulated("manhattan", "--poses", "300"), "--compare-every", "50")
+        self.assertEqual([step["step"] for step in facts["compared"]], [50, 100, 150, 200, 250, 300])
+        for step in facts["compared"]:
+            self.assertLess(step["chi2"], 1.01 * step["chi2_optimum"] + 1e-9)
+
+    def test_the_estimates_of_the_file_do_not_matter(self):
+        path = self.simulated("manhattan", "--poses", "100")
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines(keepends=True)
+        moved = [f"VERTEX_SE2 {line.split()[1]} 0 0 0\n" if line.startswith("VERTEX_SE2") and line.split()[1] != "0" else line
+                 for line in lines]
+        other = self.written("moved.g2o", "".join(moved))
+        a, b = self.replayed(path)["chi2_final"], self.replayed(other)["chi2_final"]
+        self.assertLess(abs(a - b), 1e-6 * a)
+
+    def test_false_closures_are_set_aside(self):
+        path = self.simulated("manhattan", "--poses", "300", "--outliers", "0.3", "--seed", "2")
+        facts = self.replayed(path, "--outliers")
+        expected = self.optimized(path, "--outliers", "loop-closures")["chi2_final"]
+        self.assertGreater(facts["set_aside"], 3)
+        self.assertLess(abs(facts["chi2_final"] - expected), 1e-3 * expected)
+
+    def test_files_get_the_result_and_the_time_of_each_step(self):
+        path = self.simulated("manhattan", "--poses", "100")
+        out, times = (self.path / name for name in ("out.g2o", "times.csv"))
+        done = run("replay", path, "-o", out, "--times", times, "--quiet")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        with open(times, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        self.assertEqual(lines[0], "step,seconds")
+        self.assertEqual(len(lines), 101)
+        self.assertLess(self.optimized(out)["iterations"], 4)
+
+    def test_a_picture_shows_the_time_of_each_step(self):
+        path = self.simulated("manhattan", "--poses", "100")
+        for name, begin in ("chart.svg", b"<svg"), ("chart.png", b"\x89PNG"):
+            chart = self.path / name
+            self.assertEqual(run("replay", path, "--plot", chart).returncode, 0)
+            with open(chart, "rb") as file:
+                self.assertIn(begin, file.read(200))
+
+    def test_two_replays_have_the_same_bits(self):
+        path = self.simulated("sphere", "--poses", "150")
+        outs = [self.path / name for name in ("a.g2o", "b.g2o")]
+        for out in outs:
+            self.assertEqual(run("replay", path, "-o", out).returncode, 0)
+        texts = []
+        for out in outs:
+            with open(out, "rb") as file:
+                texts.append(file.read())
+        self.assertEqual(texts[0], texts[1])
+
+    def test_bad_input_is_refused(self):
+        self.assertEqual(run("replay", self.path / "missing.g2o").returncode, 2)
+        path = self.simulated("manhattan", "--poses", "20")
+        self.assertEqual(run("replay", path, "--max-iterations", "0").returncode, 2)
+        self.assertEqual(run("replay", path, "--times", path).returncode, 2)
+
+if __name__ == "__main__":
+    main()
