@@ -211,8 +211,9 @@ struct Enumerators<SmootherReport::Reason> {
   using enum SmootherReport::Reason;
   static constexpr const char* kName = "Reason";
   static constexpr Enumerator<SmootherReport::Reason> kAll[] = {
-      {"kConverged", kConverged}, {"kMaxIterations", kMaxIterations}, {"kTimeLimit", kTimeLimit},
-      {"kStopFlag", kStopFlag},   {"kNonFinite", kNonFinite},         {"kNotDetermined", kNotDetermined}};
+      {"kConverged", kConverged},        {"kMaxIterations", kMaxIterations}, {"kMaxFlops", kMaxFlops},
+      {"kTimeLimit", kTimeLimit},        {"kStopFlag", kStopFlag},           {"kNonFinite", kNonFinite},
+      {"kNotDetermined", kNotDetermined}};
 };
 
 /// "levenberg-marquardt" for "kLevenbergMarquardt".
