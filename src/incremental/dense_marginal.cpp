@@ -29,6 +29,8 @@ Eigen::Index DenseModel::find(VertexRef vertex) const {
 DenseModel eliminated(const DenseModel& model, std::size_t count) {
   const Eigen::Index gone = model.offset[count], size = model.offset.back(), rest = size - gone;
   const auto own = model.H.topLeftCorner(gone, gone);
+  if (gone == 0) return model;
+  if (rest == 0) return {};
   Eigen::MatrixXd gain;  // H_ro H_oo⁻¹
   const Eigen::LLT<Eigen::MatrixXd> llt(own);
   constexpr double kRounding = 1e-13;

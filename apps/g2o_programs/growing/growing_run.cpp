@@ -57,7 +57,7 @@ void GrowingRun::print(const char* work) const {
 
 void serve_protocol(Graph& graph, GrowingRun& run) {
   CommandStream stream("<stdin>");
-  Protocol protocol(graph, stream.name(), {.solve = [&] { run.solve(); }});
+  Protocol protocol(graph, stream.name(), {.solve = [&] { run.solve(); }, .fix = {}});
   std::array<char, 1 << 16> piece;
   while (true) {
     const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
