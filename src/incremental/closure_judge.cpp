@@ -43,7 +43,10 @@ std::vector<EdgeRef> ClosureJudge::hold_closures(const Graph& graph, const detai
     if (graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) && frame.has_rotation)
       poses_[graph.id(vertex)] = vertex;
   }
-  std::erase_if(poses_, [&](const auto& pose) { return !graph.contains(pose.second); });
+  const bool loses_vertices = std::any_of(log.vertices.begin(), log.vertices.end(),
+                                          [&](VertexRef vertex) { return !graph.contains(vertex); });
+  if (loses_vertices) std::erase_if(poses_, [&](const auto& pose) { return !graph.contains(pose.second); });
+  std::erase_if(aside_, [&](EdgeRef edge) { return !graph.contains(edge); });
   std::vector<EdgeRef> held;
   for (const EdgeRef& edge : log.edges) {
     aside_.erase(edge);

@@ -38,6 +38,8 @@ class ClosureJudge {
   /// Judges all closures of the graph. Returns the edges whose verdicts have changed. If there are any, moves
   /// the estimates of the graph to those of the search.
   std::vector<EdgeRef> search(Graph& graph, double false_alarm, const std::atomic<bool>* stop);
+  /// Says that there cannot be a search now.
+  void give_up_search() { judged_ = rejected_ = 0, is_new_ = false; }
   /// Says that closures were judged by nobody yet, as those of a graph that did not grow.
   void expect_search() { is_new_ = true; }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 #include "base/symmetric_eigen.h"
 #include "incremental/marginal_pool.h"
@@ -26,11 +27,19 @@ Eigen::Index DenseModel::find(VertexRef vertex) const {
   return at == vertices.end() ? -1 : at - vertices.begin();
 }
 
+Eigen::VectorXd unit_scale(const Eigen::VectorXd& diagonal) {
+  return diagonal.unaryExpr([](double value) { return value > 0 ? 1 / std::sqrt(value) : 0.0; });
+}
+
 DenseModel eliminated(const DenseModel& model, std::size_t count) {
   const Eigen::Index gone = model.offset[count], size = model.offset.back(), rest = size - gone;
   const auto own = model.H.topLeftCorner(gone, gone);
-  if (gone == 0) return model;
   if (rest == 0) return {};
+  if (gone == 0) {
+    DenseModel same = model;
+    same.scale = model.H.diagonal();
+    return same;
+  }
   Eigen::MatrixXd gain;  // H_ro H_oo⁻¹
   const Eigen::LLT<Eigen::MatrixXd> llt(own);
   constexpr double kRounding = 1e-13;
@@ -41,18 +50,20 @@ DenseModel eliminated(const DenseModel& model, std::size_t count) {
   if (well_determined()) {
     gain = llt.solve(model.H.topRightCorner(gone, rest)).transpose();
   } else {
-    const SymmetricEigen eigen = symmetric_eigen(own);
-    const double floor = kRounding * static_cast<double>(gone) * eigen.values.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd unit = unit_scale(own.diagonal());
+    const SymmetricEigen eigen = symmetric_eigen(unit.asDiagonal() * own * unit.asDiagonal());
+    const double floor = kRounding * static_cast<double>(gone);
     const Eigen::VectorXd inverse =
         eigen.values.unaryExpr([floor](double value) { return value > floor ? 1 / value : 0.0; });
-    gain = model.H.bottomLeftCorner(rest, gone) * eigen.vectors * inverse.asDiagonal() *
-           eigen.vectors.transpose();
+    gain = model.H.bottomLeftCorner(rest, gone) * unit.asDiagonal() * eigen.vectors * inverse.asDiagonal() *
+           eigen.vectors.transpose() * unit.asDiagonal();
   }
   DenseModel result;
   result.vertices.assign(model.vertices.begin() + static_cast<std::ptrdiff_t>(count), model.vertices.end());
   for (std::size_t k = count + 1; k < model.offset.size(); ++k)
     result.offset.push_back(model.offset[k] - gone);
   result.H = model.H.bottomRightCorner(rest, rest) - gain * model.H.topRightCorner(gone, rest);
+  result.scale = model.H.diagonal().tail(rest);
   result.H = (result.H + result.H.transpose().eval()) / 2;
   result.b = model.b.tail(rest) - gain * model.b.head(gone);
   return result;
@@ -72,7 +83,7 @@ EdgeRef add_marginal_prior(Graph& graph, const DenseModel& model,
     index = graph.add_edge_pool(std::move(fresh)) + 1;
   }
   return graph.add_edge(index - 1, model.vertices, [&](std::span<const std::uint32_t>) {
-    return pool->add(model.vertices, model.H, model.b, means);
+    return pool->add(model.vertices, model.H, model.b, unit_scale(model.scale), means);
   });
 }
 

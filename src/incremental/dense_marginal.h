@@ -17,6 +17,7 @@ struct DenseModel {
   std::vector<Eigen::Index> offset{0};  ///< of each vertex in δ, and the size of δ
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
+  Eigen::VectorXd scale;  ///< after eliminated(): the diagonal of H before, which tells rounding errors
 
   /// Sorts the vertices that are not in `first` by pool and slot, and puts those of `first` before them.
   void set_vertices(const Graph& graph, std::span<const VertexRef> first, std::vector<VertexRef> others);
@@ -25,6 +26,9 @@ struct DenseModel {
   /// The first entry of a vertex in δ.
   Eigen::Index first_of(VertexRef vertex) const { return offset[static_cast<std::size_t>(find(vertex))]; }
 };
+
+/// 1/√d of each entry, with which H gets a unit diagonal; 0 if an entry is not positive.
+Eigen::VectorXd unit_scale(const Eigen::VectorXd& diagonal);
 
 /// Eliminates the first `count` vertices (the Schur complement). Directions of them in which H is zero are
 /// left out.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "incremental/lag_window.h"
 
+#include <iterator>
+
 namespace boxplus {
 
 void LagWindow::set_time(VertexRef vertex, double seconds) {
@@ -19,12 +21,16 @@ void LagWindow::add(const Graph& graph, VertexRef vertex) {
 
 std::vector<VertexRef> LagWindow::take_leaving(const Graph& graph, std::size_t count, double seconds) {
   std::vector<VertexRef> leaving;
+  for (auto entry = by_time_.begin(); entry != by_time_.end();) {
+    const bool exists = graph.contains(entry->second);
+    if (!exists) time_of_.erase(entry->second);
+    entry = exists ? std::next(entry) : by_time_.erase(entry);
+  }
   while (!by_time_.empty()) {
     const auto oldest = by_time_.begin();
     const bool is_old = oldest->first.first < by_time_.rbegin()->first.first - seconds;
-    const bool exists = graph.contains(oldest->second);
-    if (exists && !is_old && by_time_.size() <= count) break;
-    if (exists) leaving.push_back(oldest->second);
+    if (!is_old && by_time_.size() <= count) break;
+    leaving.push_back(oldest->second);
     time_of_.erase(oldest->second);
     by_time_.erase(oldest);
   }

@@ -74,6 +74,7 @@ void LiveProblem::grow() {
 
 void LiveProblem::apply(const detail::ChangeLog& log) {
   grow();
+  ++applies_;
   for (const EdgeRef& edge : log.edges) drop_stale_edge(edge);
   again_.clear();
   for (const VertexRef& vertex : log.vertices) apply_vertex(vertex);
@@ -131,8 +132,10 @@ void LiveProblem::drop_stale_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   const EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term == kNone) return;
-  const bool remains =
-      pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation && pool.level(edge.slot) == 0;
+  const bool remains = pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation &&
+                       pool.level(edge.slot) == 0 &&
+                       !aside_.contains({edge.pool, edge.slot, entry.generation});
+  may_be_cut_ = true;  // it was removed or changed
   if (!remains) remove_term({edge.pool, edge.slot});
 }
 
@@ -161,9 +164,11 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
       remove_term(name);
     }
     remove_block(entry);
+    may_be_cut_ = true;
   } else if (has_place) {
     set_point(vertex.pool, vertex.slot, entry.block);
   } else if (is_same && (!moves || !entry.moved)) {
+    may_be_cut_ = true;
     for (const EdgeRef& edge : graph_.edges(vertex)) {
       again_.push_back(edge);
       const EdgeEntry& known = edges_[edge.pool][edge.slot];
@@ -245,28 +250,45 @@ void LiveProblem::remove_block(VertexEntry& entry) {
   --block_count_;
 }
 
-/// Notes whether a new edge may anchor a component.
+/// Whether the blocks of a new edge are in different parts of the graph. A new block is in the part of the
+/// blocks to which an edge has joined it.
+bool LiveProblem::joins_parts() {
+  part_of_.resize(vertex_of_.size());
+  const auto part_of = [&](Index block) {
+    const Index root = factor_.root_of(block);
+    return root != kNone ? root : part_of_[block].first == applies_ ? part_of_[block].second : kNone;
+  };
+  Index part = kNone;
+  bool joins = false;
+  for (const Index block : blocks_) {
+    const Index own = part_of(block);
+    joins = joins || (part != kNone && own != kNone && own != part);
+    if (own != kNone) part = own;
+  }
+  constexpr Index kNewParts = 0x80000000u;  // numbers that no front has
+  if (part == kNone && !blocks_.empty()) part = kNewParts + blocks_[0];
+  for (const Index block : blocks_) {
+    if (part_of(block) == kNone) part_of_[block] = {applies_, part};
+  }
+  return joins;
+}
+
+/// Notes whether a new edge may anchor a component, or join two of them.
 void LiveProblem::note_anchor(std::uint32_t p, std::uint32_t edge) {
   if (held_.empty() && held_directions_.empty()) return;
   const detail::EdgePool& pool = *graph_.edge_pools()[p];
   const auto slots = pool.vertex_slots(edge);
-  bool reaches_fixed = slots.size() == 1, reaches_held = false;
+  bool reaches_fixed = false, reaches_held = false;
+  int vertex_count = 0;  // without parameters
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t v = pool.vertex_pool(edge, static_cast<int>(i));
     const detail::VertexPool& vertices = *graph_.vertex_pools()[v];
+    vertex_count += vertices.parameter(slots[i]) && vertices.fixed(slots[i]) ? 0 : 1;
     reaches_fixed = reaches_fixed || (vertices.fixed(slots[i]) && !vertices.parameter(slots[i]));
     reaches_held = reaches_held || vertices_[v][slots[i]].is_held;
   }
-  Index tree = kNone;  // the first tree that the edge reaches
-  bool joins_trees = reaches_held && held_.size() > 1;
-  for (const Index block : blocks_) {
-    const Index root = factor_.root_of(block);
-    if (root == kNone) continue;
-    joins_trees = joins_trees || (tree != kNone && root != tree);
-    tree = root;
-  }
-  const bool is_relative = pool.is_rigid() || is_relative_[p];
-  may_be_anchored_ = may_be_anchored_ || reaches_fixed || joins_trees || !is_relative;
+  const bool is_relative = vertex_count > 1 && (pool.is_rigid() || is_relative_[p]);
+  if (joins_parts() || reaches_fixed || reaches_held || !is_relative) may_be_anchored_ = true;
 }
 
 /// Says for each entry of the tangent whether it is a length, an angle or something else.
@@ -574,13 +596,18 @@ std::vector<VertexRef> LiveProblem::followers(std::span<const VertexRef> leaving
       }
     }
   };
+  const auto look_at = [&](Index b) {
+    if (leaves(b) || stays(vertex_of_[b])) return;
+    bool is_needed = false;
+    for_each_neighbor(b, [&](Index other) { is_needed = is_needed || !leaves(other); });
+    if (!is_needed) result.push_back(vertex_of_[b]);
+  };
   for (const VertexRef& vertex : leaving) {
-    for_each_neighbor_of(vertex, [&](Index b) {
-      if (leaves(b) || stays(vertex_of_[b])) return;
-      bool is_needed = false;
-      for_each_neighbor(b, [&](Index other) { is_needed = is_needed || !leaves(other); });
-      if (!is_needed) result.push_back(vertex_of_[b]);
-    });
+    for_each_neighbor_of(vertex, look_at);
+    if (block(vertex) == kNone) continue;
+    for (const Index term : factor_.terms_of(block(vertex))) {
+      for (const Index other : factor_.blocks_of(term)) look_at(other);  // also those that only a prior joins
+    }
   }
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());

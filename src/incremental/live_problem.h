@@ -81,6 +81,10 @@ class LiveProblem {
   bool takes_part(VertexRef vertex) const;
   std::uint32_t block_count() const { return block_count_; }
   std::uint32_t term_count() const { return term_count_; }
+  /// Whether edges were removed or changed, or vertices released, since forget_cuts(), so that something may
+  /// not be determined any more.
+  bool may_be_cut() const { return may_be_cut_; }
+  void forget_cuts() { may_be_cut_ = false; }
   /// Whether an edge was added, since the last hold(), that may anchor a component which was free before.
   bool may_be_anchored() const { return may_be_anchored_; }
 
@@ -112,6 +116,7 @@ class LiveProblem {
   void remove_term(EdgeName name);
   bool can_move(std::uint32_t pool, std::uint32_t slot) const;
   void note_anchor(std::uint32_t pool, std::uint32_t edge);
+  bool joins_parts();
   Index require_block(std::uint32_t pool, std::uint32_t slot);
   void remove_block(VertexEntry& entry);
   const std::vector<std::uint8_t>& kinds_of(std::uint32_t pool, std::uint32_t slot);
@@ -158,7 +163,10 @@ class LiveProblem {
   Scatter scatter_;
   EdgeRef non_finite_;
   std::uint32_t block_count_ = 0, term_count_ = 0;
-  bool may_be_anchored_ = false;
+  bool may_be_anchored_ = false, may_be_cut_ = true;
+  /// The parts of the graph that new blocks have been joined to in this apply(): per block, with a stamp.
+  std::vector<std::pair<std::uint64_t, Index>> part_of_;
+  std::uint64_t applies_ = 0;
 };
 
 }  // namespace boxplus

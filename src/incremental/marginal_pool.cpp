@@ -17,16 +17,18 @@ std::vector<std::uint32_t> all_pools(const Graph& graph) {
   return pools;
 }
 
-/// R and r with RᵀR = H and Rᵀr = b, from H = Pᵀ L D Lᵀ P. Directions in which H is zero to within rounding
-/// get no row.
-dense_prior::Rows square_root(const Eigen::MatrixXd& H, const Eigen::VectorXd& b) {
-  const Eigen::LDLT<Eigen::MatrixXd> ldlt(H);
+/// R and r with RᵀR = H and Rᵀr = b, from S H S = Pᵀ L D Lᵀ P, where `unit` is the diagonal of S. Directions
+/// in which H is zero to within rounding errors of 1/S² get no row.
+dense_prior::Rows square_root(const Eigen::MatrixXd& H, const Eigen::VectorXd& b,
+                              const Eigen::VectorXd& unit) {
+  const Eigen::MatrixXd scaled = unit.asDiagonal() * H * unit.asDiagonal();
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(scaled);
   const Eigen::VectorXd d = ldlt.vectorD();
-  constexpr double kRounding = 1e-13;
-  const double floor = H.size() > 0 ? kRounding * H.diagonal().maxCoeff() : 0;
+  const double floor = 1e-13 * static_cast<double>(H.rows());
   const Eigen::MatrixXd L = ldlt.matrixL();
-  const Eigen::MatrixXd root = (ldlt.transpositionsP().transpose() * L).transpose();
-  Eigen::VectorXd offset = ldlt.transpositionsP() * b;
+  const Eigen::VectorXd back = unit.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });
+  const Eigen::MatrixXd root = (ldlt.transpositionsP().transpose() * L).transpose() * back.asDiagonal();
+  Eigen::VectorXd offset = ldlt.transpositionsP() * (unit.asDiagonal() * b);
   ldlt.matrixL().solveInPlace(offset);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < d.size(); ++i) {
@@ -67,10 +69,10 @@ std::unique_ptr<detail::EdgePool> MarginalPool::clone(
 }
 
 std::uint32_t MarginalPool::add(std::span<const VertexRef> vertices, const Eigen::MatrixXd& H,
-                                const Eigen::VectorXd& b,
+                                const Eigen::VectorXd& b, const Eigen::VectorXd& unit,
                                 std::span<const std::unique_ptr<detail::VertexPool>> means) {
   Prior prior;
-  prior.rows = square_root(H, b);
+  prior.rows = square_root(H, b, unit);
   std::vector<std::uint32_t> slots, sizes(pools_.size(), 0);
   for (const VertexRef& vertex : vertices) {
     slots.push_back(vertex.slot);

@@ -21,10 +21,11 @@ class MarginalPool final : public detail::EdgePool {
   /// A pool for vertices of all pools that the graph has now.
   explicit MarginalPool(const Graph& graph);
 
-  /// The prior whose cost is δᵀHδ + 2 bᵀδ, up to a constant. The vertices must be sorted by pool. `means` are
+  /// The prior whose cost is δᵀHδ + 2 bᵀδ, up to a constant. The vertices must be sorted by pool. `unit` is
+  /// unit_scale() of the diagonal whose rounding errors H has. `means` are
   /// pools with their means, in the same slots.
   std::uint32_t add(std::span<const VertexRef> vertices, const Eigen::MatrixXd& H, const Eigen::VectorXd& b,
-                    std::span<const std::unique_ptr<detail::VertexPool>> means);
+                    const Eigen::VectorXd& unit, std::span<const std::unique_ptr<detail::VertexPool>> means);
   /// Whether the pool takes vertices of all pools of this graph.
   bool suits(const Graph& graph) const { return pools_.size() == graph.vertex_pools().size(); }
 

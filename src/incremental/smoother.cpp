@@ -2,6 +2,7 @@
 #include "boxplus/incremental/smoother.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -60,14 +61,19 @@ class Smoother::Impl {
     is_solved_ = false;
     const StopToken flag(options_.stop), limit(options_.stop, begin, options_.time_limit_s);
     work_ = {};
-    options_.sets_outliers_aside ? judge(report, finishes, flag, limit) : take_changes();
     try {
-      iterate(report, finishes, flag, limit);
+      options_.sets_outliers_aside ? judge(report, finishes, flag, limit) : take_changes();
+      if (pending_.empty()) iterate(report, finishes, flag, limit);
+      const bool is_held = !problem_->held().empty() || problem_->held_directions() > 0;
+      if (finishes && report.converged() && !is_broken_ && is_held && anchor())
+        iterate(report, finishes, flag, limit);
+      if (is_solved_ && !is_broken_) forget(report);
     } catch (...) {
-      problem_->restore();
+      is_broken_ = true;
+      is_solved_ = false;
+      if (problem_) problem_->restore();
       throw;
     }
-    if (!is_broken_) forget(report);
     const double scalars = problem_->factor().scalars();
     report.vertices = problem_->block_count();
     report.edges = problem_->term_count();
@@ -101,6 +107,8 @@ class Smoother::Impl {
       const int dim = graph_.tangent_dim(vertex);
       if (!problem_->takes_part(vertex))
         throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " has no edges");
+      if (block != LiveProblem::kNone && problem_->factor().root_of(block) == LiveProblem::kNone)
+        throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " is new");
       for (int i = 0; i < dim; ++i) from.push_back(block == LiveProblem::kNone ? -1 : next++);
       if (block == LiveProblem::kNone) continue;
       for (const int held : problem_->factor().held_scalars(block))
@@ -182,31 +190,55 @@ class Smoother::Impl {
   /// the problem begins anew from its estimates.
   void judge(SmootherReport& report, bool finishes, const StopToken& flag, const StopToken& limit) {
     const bool begins = log_.everything || is_broken_;
-    const std::vector<EdgeRef> held = judge_.hold_closures(graph_, begins ? everything_in(graph_) : log_);
-    take_changes();
-    if (begins) judge_.expect_search();
-    if (!begins && !held.empty()) {
-      iterate(report, false, flag, limit);  // without the new closures, which are judged from the result
-      const bool can_preview = !is_broken_;
-      is_broken_ = true;
-      for (const EdgeRef& edge : held) {
-        if (!can_preview || needs(edge)) {
-          judge_.take_back(edge);
-        } else if (!judge_.accepts(edge, predict(edge), options_.false_alarm)) {
-          report.set_aside.push_back(edge);
-          continue;
-        }
-        problem_->apply_verdict(edge);
-      }
+    std::vector<EdgeRef> held = judge_.hold_closures(graph_, begins ? everything_in(graph_) : log_);
+    if (begins) {
+      for (const EdgeRef& edge : held) judge_.take_back(edge);
+      judge_.expect_search();
+      pending_.clear();
     }
+    take_changes();
+    std::erase_if(pending_, [&](EdgeRef edge) { return !judge_.aside().contains(edge); });
+    held.insert(held.end(), pending_.begin(), pending_.end());
+    pending_.clear();
+    if (!begins && !held.empty() && !judge_each(held, report, flag, limit)) return;
     if (!judge_.is_search_due(finishes)) return;
-    const std::vector<EdgeRef> changed = judge_.search(graph_, options_.false_alarm, options_.stop);
+    std::vector<EdgeRef> changed;
+    try {
+      changed = judge_.search(graph_, options_.false_alarm, options_.stop);
+    } catch (const InvalidArgument&) {
+      judge_.give_up_search();  // because there is no odometry that could judge closures
+    }
     for (const EdgeRef& edge : changed) {
       const bool is_aside = judge_.aside().contains(edge);
       if (std::erase(is_aside ? report.taken_back : report.set_aside, edge) == 0)
         (is_aside ? report.set_aside : report.taken_back).push_back(edge);
     }
     if (!changed.empty()) log_.everything = true, take_changes();
+  }
+
+  /// Judges new closures one by one, from a solution without them. Returns false if the stop flag was raised
+  /// before: then they wait for the next update.
+  bool judge_each(const std::vector<EdgeRef>& held, SmootherReport& report, const StopToken& flag,
+                  const StopToken& limit) {
+    iterate(report, false, flag, limit);
+    if (report.reason == SmootherReport::Reason::kStopFlag) {
+      pending_ = held;
+      return false;
+    }
+    const bool can_preview = is_solved_ && !is_broken_;
+    is_broken_ = true;
+    std::vector<EdgeRef> needed;
+    std::copy_if(held.begin(), held.end(), std::back_inserter(needed),
+                 [&](EdgeRef edge) { return !can_preview || needs(edge); });
+    for (const EdgeRef& edge : held) {
+      if (std::find(needed.begin(), needed.end(), edge) != needed.end()) {
+        judge_.take_back(edge);
+      } else if (!judge_.accepts(edge, predict(edge), options_.false_alarm)) {
+        report.set_aside.push_back(edge);
+      }
+    }
+    for (const EdgeRef& edge : held) problem_->apply_verdict(edge);
+    return true;
   }
 
   /// Whether a vertex of the edge has no other edge that takes part.
@@ -232,13 +264,14 @@ class Smoother::Impl {
     double farthest = std::numeric_limits<double>::infinity();
     int growths = 0;
     for (;;) {
+      is_solved_ = false;
       const auto linearized = problem_->linearize(flag, report.relinearized);
       if (linearized == LiveProblem::Linearized::kStopped) return end(report, Reason::kStopFlag);
       if (linearized == LiveProblem::Linearized::kNonFinite) return fail_at_edge(report);
       const auto [status, lost, is_suspicious] = factor.factorize(flag, work_);
       if (status == LinearStatus::kStopped) return end(report, Reason::kStopFlag);
       const bool is_lost = status != LinearStatus::kOk;
-      if ((is_lost || is_suspicious) && !is_anchored) {
+      if ((is_lost || (is_suspicious && problem_->may_be_cut())) && !is_anchored) {
         is_anchored = true;
         if (anchor()) continue;
       }
@@ -271,6 +304,10 @@ class Smoother::Impl {
 
   /// Marginalizes what has left the lag.
   void forget(SmootherReport& report) {
+    const SmootherOptions defaults;
+    if (options_.lag == defaults.lag && options_.lag_s == defaults.lag_s) return;
+    // The terms that are marginalized must hold at the linearization points.
+    if (problem_->linearize(StopToken(), report.relinearized) != LiveProblem::Linearized::kAll) return;
     for (const VertexRef& vertex : problem_->take_new_vertices()) window_.add(graph_, vertex);
     std::vector<VertexRef> leaving = window_.take_leaving(graph_, options_.lag, options_.lag_s);
     std::erase_if(leaving, [&](VertexRef vertex) { return graph_.is_fixed(vertex); });
@@ -291,28 +328,34 @@ class Smoother::Impl {
   /// Gauss-Newton steps diverge: lets optimize() look for the optimum, from the estimates before the update.
   void start_over(SmootherReport& report, bool finishes) {
     problem_->restore();
+    is_solved_ = false;
     Options options{.start = Start::kAutomatic, .threads = 1};
     options.stop = options_.stop;
+    if (!finishes) options.time_limit_s = options_.time_limit_s;
     options.numeric_jacobians = options_.numeric_jacobians;
     if (finishes) options.noise_tolerance = 0, options.cost_tolerance = 1e-15;
     Graph copy = judge_.copy_without_aside(graph_);
     const Report batch = optimize(copy, options);
     take_estimates(graph_, copy);
     log_.everything = true;
+    report.started_over = true;
+    report.reason = batch.converged()                            ? SmootherReport::Reason::kConverged
+                    : batch.reason == Report::Reason::kStopFlag  ? SmootherReport::Reason::kStopFlag
+                    : batch.reason == Report::Reason::kTimeLimit ? SmootherReport::Reason::kTimeLimit
+                                                                 : SmootherReport::Reason::kMaxIterations;
     if (!batch.converged()) return;
     take_changes();
     is_solved_ = problem_->linearize(StopToken(), report.relinearized) == LiveProblem::Linearized::kAll &&
                  problem_->factor().factorize(StopToken(), work_).status == LinearStatus::kOk;
     if (is_solved_) is_broken_ = false;
-    report.started_over = true;
-    report.reason = batch.converged()                           ? SmootherReport::Reason::kConverged
-                    : batch.reason == Report::Reason::kStopFlag ? SmootherReport::Reason::kStopFlag
-                                                                : SmootherReport::Reason::kMaxIterations;
   }
 
   /// Holds vertices and directions of components that nothing anchors, and no others. Returns false if
   /// nothing changes.
-  bool anchor() { return problem_->hold(make_plan(graph_, {})); }
+  bool anchor() {
+    problem_->forget_cuts();
+    return problem_->hold(make_plan(graph_, {}));
+  }
 
   void fail(SmootherReport& report, LiveProblem::Index block) {
     report.reason = SmootherReport::Reason::kNotDetermined;
@@ -329,6 +372,7 @@ class Smoother::Impl {
       report.message +=
           (report.message.ends_with("of") ? " vertex " : ", ") + std::to_string(graph_.id(vertex));
     problem_->restore();
+    is_solved_ = false;
   }
 
   Graph& graph_;
@@ -339,6 +383,7 @@ class Smoother::Impl {
   std::unique_ptr<LiveProblem> problem_;
   FactorWork work_;  // of the current update
   LagWindow window_;
+  std::vector<EdgeRef> pending_;  // closures that could not be judged yet
   std::vector<LiveProblem::Index> solved_;
   bool is_broken_ = false;  // the next update begins anew
   bool is_solved_ = false;  // the last update has a factor and a solution
