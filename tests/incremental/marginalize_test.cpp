@@ -197,5 +197,64 @@ TEST(Smoother, KeepsALagOfSecondsAndTakesLatePoses) {
   EXPECT_NEAR(graph.estimate(next).translation()[0], 10, 1e-6);
 }
 
+TEST(Marginalize, KeepsInformationOfAnyUnits) {
+  Graph graph;
+  const auto a = graph.add_vertex(Vector<double, 1>(0.0)), b = graph.add_vertex(Vector<double, 1>(0.0)),
+             c = graph.add_vertex(Vector<double, 1>(0.0));
+  const auto difference = [](const Vector<double, 1>& x, const Vector<double, 1>& y) { return y[0] - x[0]; };
+  graph.add_edge([](const Vector<double, 1>& x) { return x[0]; }, 1e6, a);
+  graph.add_edge(difference, 1e6, a, b);
+  graph.add_edge(difference, 1e-8, a, c);
+  const auto prior = marginalize(graph, {a});
+  ASSERT_TRUE(prior.has_value());
+  EXPECT_EQ(graph.error(*prior).size(), 2u);
+}
+
+TEST(Smoother, MarginalizesAtTheLinearizationPointsAlsoIfAnUpdateEndsEarly) {
+  Graph graph;
+  SmootherOptions options{.lag = 2};
+  Smoother smoother(graph, options);
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < 3; ++k) {
+    poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+    if (k == 0) graph.add_edge(Prior(SE2()), 1.0, poses[0]);
+    if (k > 0) graph.add_edge(Between(SE2(1, 0, 0)), 1e4, poses[poses.size() - 2], poses.back());
+    if (k == 2) break;
+    ASSERT_TRUE(smoother.update().converged());
+  }
+  const std::vector<double> weights{0, 1, 0};
+  graph.add_edge(Prior(SE2(0, 5, 0)), Information::diagonal(weights), poses[2]);
+  Graph all = graph;
+  options.max_iterations = 1;
+  smoother.set_options(options);
+  EXPECT_EQ(smoother.update().marginalized, 1u);
+  (void)smoother.finish();
+  EXPECT_TRUE(optimize(all, exact()).converged());
+  EXPECT_NEAR(graph.estimate(poses[2]).translation()[1], all.estimate(poses[2]).translation()[1], 0.05);
+}
+
+TEST(Smoother, LetsVelocitiesWithoutTimesLeaveTheLag) {
+  Graph graph;
+  Smoother smoother(graph, {.lag = 10});
+  std::vector<VertexHandle<SE2>> poses;
+  std::vector<VertexHandle<Vector2>> velocities;
+  const auto moves = [](const SE2& x, const Vector2& v, const SE2& y, const Vector2& w) {
+    return Vector<double, 4>(y.translation()[0] - x.translation()[0] - v[0],
+                             y.translation()[1] - x.translation()[1] - v[1], w[0] - v[0], w[1] - v[1]);
+  };
+  for (int k = 0; k < 60; ++k) {
+    poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+    velocities.push_back(graph.add_vertex(Vector2(1, 0)));
+    if (k == 0) graph.add_edge(Prior(SE2()), 1.0, poses[0]);
+    if (k > 0) {
+      const std::size_t last = poses.size() - 2;
+      graph.add_edge(moves, 1.0, poses[last], velocities[last], poses.back(), velocities.back());
+      graph.add_edge(Between(SE2(1, 0, 0)), 1.0, poses[last], poses.back());
+    }
+    ASSERT_TRUE(smoother.update().converged()) << k;
+  }
+  EXPECT_LE(graph.vertex_count(), 22u);
+}
+
 }  // namespace
 }  // namespace boxplus

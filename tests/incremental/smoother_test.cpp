@@ -612,5 +612,90 @@ TEST(Smoother, HoldsADirectionThatNothingDetermines) {
   EXPECT_NEAR(graph.estimate(point)[0] + graph.estimate(point)[1], 1, 1e-9);
 }
 
+TEST(Smoother, ReleasesAHeldVertexIfANewVertexJoinsTwoParts) {
+  Graph graph;
+  Smoother smoother(graph);
+  const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2(1, 0, 0));
+  const auto c = graph.add_vertex(SE2(5, 0, 0)), d = graph.add_vertex(SE2(6, 0, 0));
+  const Between one(SE2(1, 0, 0));
+  graph.add_edge(one, 1.0, a, b);
+  graph.add_edge(one, 1.0, c, d);
+  EXPECT_EQ(smoother.update().held.size(), 2u);
+  const auto middle = graph.add_vertex(SE2(3, 0, 0));
+  graph.add_edge(Between(SE2(1, 1, 0)), 1.0, b, middle);
+  graph.add_edge(Between(SE2(5, 0, 0)), 1.0, middle, d);
+  EXPECT_EQ(smoother.finish().held.size(), 1u);
+  EXPECT_NEAR(graph.chi2(), 0, 1e-12);
+}
+
+TEST(Smoother, JudgesAClosureInTheNextUpdateIfTheStopFlagIsRaised) {
+  Graph graph;
+  std::atomic<bool> stop = false;
+  Smoother smoother(graph, {.stop = &stop, .sets_outliers_aside = true});
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
+  const auto drive = [&](int count) {
+    for (int k = 0; k < count; ++k) {
+      poses.push_back(graph.add_vertex(graph.estimate(poses.back()) * SE2(1, 0, 0)));
+      graph.add_edge(Between(SE2(1, 0, 0)), 100.0, poses[poses.size() - 2], poses.back());
+    }
+  };
+  drive(20);
+  EXPECT_TRUE(smoother.update().converged());
+  drive(3);
+  const auto wrong = graph.add_edge(Between(SE2(0, 9, 1)), 100.0, poses[2], poses.back());
+  stop = true;
+  EXPECT_EQ(smoother.update().reason, SmootherReport::Reason::kStopFlag);
+  stop = false;
+  const SmootherReport report = smoother.update();
+  EXPECT_TRUE(report.converged());
+  EXPECT_EQ(report.set_aside, std::vector<EdgeRef>{wrong});
+  EXPECT_NEAR(graph.estimate(poses.back()).translation()[0], 23, 1e-6);
+}
+
+TEST(Smoother, ForgetsAClosureThatWasRemovedWhileItWasAside) {
+  Drive drive(3);
+  Smoother smoother(drive.graph, {.sets_outliers_aside = true});
+  for (int k = 0; k < 30; ++k) drive.step();
+  (void)smoother.update();
+  const auto wrong = drive.graph.add_edge(Between(SE2(50, 9, 1)), 1e4, drive.poses()[2], drive.poses()[25]);
+  (void)smoother.update();
+  EXPECT_EQ(smoother.set_aside(), std::vector<EdgeRef>{wrong});
+  drive.graph.push();
+  drive.graph.pop();
+  drive.graph.remove(wrong);
+  EXPECT_NO_THROW((void)smoother.update());
+  EXPECT_TRUE(smoother.set_aside().empty());
+}
+
+TEST(Smoother, TakesAClosureThatIsTheOnlyEdgeOfAVertex) {
+  Drive drive(4);
+  Smoother smoother(drive.graph, {.sets_outliers_aside = true});
+  for (int k = 0; k < 20; ++k) drive.step();
+  (void)smoother.update();
+  const auto lone = drive.graph.add_vertex(SE2());
+  for (const std::size_t k : {3u, 4u}) {
+    const SE2 seen = drive.graph.estimate(drive.poses()[k]).inverse() * SE2(2, 2, 0);
+    drive.graph.add_edge(Between(seen), 100.0, drive.poses()[k], lone);
+  }
+  EXPECT_TRUE(smoother.update().converged());
+  EXPECT_NEAR(drive.graph.estimate(lone).translation()[0], 2, 0.1);
+}
+
+TEST(Smoother, DoesNotCallAChainUndeterminedOrPlanItAgainHoweverLongItIs) {
+  Graph graph;
+  Smoother smoother(graph);
+  auto last = graph.add_vertex(SE2());
+  SmootherReport report;
+  for (int k = 1; k < 7000; ++k) {
+    const auto next = graph.add_vertex(SE2(k, 0, 0));
+    graph.add_edge(Between(SE2(1, 0, 0)), 1.0, last, next);
+    last = next;
+    report = smoother.update();
+    ASSERT_TRUE(report.converged()) << k;
+  }
+  EXPECT_EQ(report.held.size(), 1u);
+  EXPECT_LE(report.refactored, 2u);
+}
+
 }  // namespace
 }  // namespace boxplus
