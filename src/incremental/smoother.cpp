@@ -23,10 +23,11 @@ void require(bool is_right, const char* expected) {
 }
 
 void check(const SmootherOptions& options) {
-  for (const TangentDistance* distance : {&options.relinearize, &options.noticeable}) {
-    const bool is_positive = distance->length > 0 && distance->angle > 0 && distance->other > 0;
-    require(is_positive, "positive distances in `relinearize` and `noticeable`");
-  }
+  const auto smallest = [](const TangentDistance& distance) {
+    return std::min({distance.length, distance.angle, distance.other});
+  };
+  require(smallest(options.relinearize) > 0, "positive distances in `relinearize`");
+  require(smallest(options.noticeable) >= 0, "no negative distances in `noticeable`");
   require(options.max_iterations >= 1, "max_iterations ≥ 1");
   require(options.max_flops > 0, "max_flops > 0");
   require(!std::isnan(options.time_limit_s), "a number as time_limit_s");

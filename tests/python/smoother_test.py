@@ -278,10 +278,10 @@ class Queries(unittest.TestCase):
 
 class Options(unittest.TestCase):
     def test_options_are_keyword_arguments_or_an_object(self):
-        options = SmootherOptions(max_iterations=3, relinearize=TangentDistance(0.2, 0.1))
+        options = SmootherOptions(max_iterations=3, relinearize=TangentDistance(0.2, 0.1, 0.1))
         smoother = Smoother(points(), options, false_alarm=1e-3)
         self.assertEqual((smoother.options.max_iterations, smoother.options.false_alarm), (3, 1e-3))
-        self.assertEqual(smoother.options.relinearize, TangentDistance(length=0.2, angle=0.1, other=0))
+        self.assertEqual(smoother.options.relinearize, TangentDistance(length=0.2, angle=0.1, other=0.1))
         self.assertEqual(options.false_alarm, SmootherOptions().false_alarm)
         smoother.set_options(smoother.options, lag=5)
         self.assertEqual((smoother.options.lag, smoother.options.max_iterations), (5, 3))
@@ -290,7 +290,7 @@ class Options(unittest.TestCase):
         self.assertEqual(smoother.options.lag_s, float("inf"))
         self.assertEqual(repr(SmootherOptions()), "SmootherOptions()")
         self.assertEqual(repr(copy.copy(options)), "SmootherOptions(relinearize=TangentDistance(length=0.2, angle=0.1, "
-                                                   "other=0.0), max_iterations=3)")
+                                                   "other=0.1), max_iterations=3)")
 
     def test_wrong_options_are_refused(self):
         for error, text, options in (

@@ -21,16 +21,16 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kReplayFooter =
-    "A step adds the vertex with the next id, and the edges between it and the vertices before it, and then\n"
-    "brings all estimates to the optimum (docs/live.md). A new pose begins where its first edge puts it.\n"
-    "After the last step, the estimates are brought to the optimum to the last digits.\n"
+    "A step adds the vertex with the next id, and the edges between it and the vertices before it. Then\n"
+    "it brings all estimates to the optimum (docs/live.md). A new pose begins where its first edge puts\n"
+    "it. After the last step, the estimates are brought to the optimum to the last digits.\n"
     "\n"
     "Examples:\n"
     "  boxplus replay drive.g2o -o map.g2o\n"
     "  boxplus replay drive.g2o --times times.csv --compare-every 100\n"
     "  boxplus replay drive.g2o --json - | jq .time_s\n"
     "\n"
-    "Exit codes: 0 converged; 1 the last step did not converge; 2 bad input or usage; 3 numerical failure.";
+    "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.";
 
 struct ReplayArguments {
   std::string input, output, json, times, plot;
