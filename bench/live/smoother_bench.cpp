@@ -105,7 +105,8 @@ void replay_file(const std::string& name, const std::string& path) {
 
 void replay_all(const std::string& folder) {
   std::printf(
-      "One update per vertex, on one thread. \"Batch\" is optimize() of the complete graph, \"iteration\" "
+      "\n## Live\n\nOne update per vertex, on one thread. \"Batch\" is optimize() of the complete graph, "
+      "\"iteration\" "
       "one "
       "iteration of it.\n\n"
       "| Graph | Steps | Batch [ms] | Replay [s] | Replay / batch | Median step [µs] | Worst step [ms] | "
