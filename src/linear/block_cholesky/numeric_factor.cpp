@@ -90,13 +90,14 @@ FrontsResult factor_front(const Context<Scalar>& context, const Front& front, in
   const int columns = static_cast<int>(front.columns);
   const LoadedFront<Scalar> loaded{panel,   factor.arena() + front.update, minimum_pivot,
                                    columns, static_cast<int>(front.below), static_cast<int>(front.leading)};
-  const int good = eliminate_front(loaded, threads, stop, [&](const auto& add) {
-    for (const std::uint32_t c : symbolic.children_of(front)) {
-      const Front& child = symbolic.fronts[c];
-      add(ChildUpdate<Scalar>{factor.arena() + child.update, static_cast<int>(child.below),
-                              symbolic.all_runs(child), child.run_split - child.run_begin});
-    }
-  });
+  const int good =
+      eliminate_front(loaded, threads, stop, [&, &symbolic = symbolic, &factor = factor](const auto& add) {
+        for (const std::uint32_t c : symbolic.children_of(front)) {
+          const Front& child = symbolic.fronts[c];
+          add(ChildUpdate<Scalar>{factor.arena() + child.update, static_cast<int>(child.below),
+                                  symbolic.all_runs(child), child.run_split - child.run_begin});
+        }
+      });
   if (good == kPanelStopped) return kStoppedResult;
   if (good < columns)
     return {LinearStatus::kNotPositiveDefinite, first_scalar + static_cast<std::uint32_t>(good)};
