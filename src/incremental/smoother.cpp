@@ -42,8 +42,7 @@ void check(const SmootherOptions& options) {
 
 class Smoother::Impl {
  public:
-  Impl(Graph& graph, SmootherOptions options)
-      : graph_(graph), life_(graph.life()), options_(std::move(options)) {
+  Impl(Graph& graph, const SmootherOptions& options) : graph_(graph), life_(graph.life()), options_(options) {
     check(options_);
     if (graph.change_log() != nullptr) throw InvalidArgument("Smoother: the graph has a Smoother already");
     log_.everything = true;
@@ -410,8 +409,8 @@ std::string_view to_string(SmootherReport::Reason reason) {
   return "unknown";
 }
 
-Smoother::Smoother(Graph& graph, SmootherOptions options)
-    : impl_(std::make_unique<Impl>(graph, std::move(options))) {}
+Smoother::Smoother(Graph& graph, const SmootherOptions& options)
+    : impl_(std::make_unique<Impl>(graph, options)) {}
 Smoother::~Smoother() = default;
 Smoother::Smoother(Smoother&&) noexcept = default;
 Smoother& Smoother::operator=(Smoother&&) noexcept = default;

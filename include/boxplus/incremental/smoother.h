@@ -32,7 +32,7 @@ namespace boxplus {
 class Smoother {
  public:
   /// Keeps a reference to `graph`. Throws InvalidArgument if the graph has a Smoother already.
-  explicit Smoother(Graph& graph, SmootherOptions options = {});
+  explicit Smoother(Graph& graph, const SmootherOptions& options = {});
   ~Smoother();
   Smoother(Smoother&&) noexcept;
   Smoother& operator=(Smoother&&) noexcept;
