@@ -39,8 +39,9 @@ bool ClosureJudge::is_closure(const Graph& graph, EdgeRef edge) const {
 std::vector<EdgeRef> ClosureJudge::hold_closures(const Graph& graph, const detail::ChangeLog& log) {
   for (const VertexRef& vertex : log.vertices) {
     if (!graph.contains(vertex)) continue;
+    const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
     detail::Frame frame;
-    if (graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) && frame.has_rotation)
+    if (!pool.parameter(vertex.slot) && pool.get_frame(vertex.slot, frame) && frame.has_rotation)
       poses_[graph.id(vertex)] = vertex;
   }
   const bool loses_vertices = std::any_of(log.vertices.begin(), log.vertices.end(),

@@ -8,12 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "base/all_finite.h"
-#include "base/paced_stop.h"
 #include "boxplus/base/error.h"
-#include "incremental/dense_marginal.h"
-#include "incremental/marginal_pool.h"
-#include "plan/dense_scratch.h"
 
 namespace boxplus {
 namespace {
@@ -40,8 +35,7 @@ std::array<bool, 2> differ(const detail::Frame& a, const detail::Frame& b, doubl
 
 }  // namespace
 
-LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options, const std::set<EdgeRef>& aside)
-    : graph_(graph), options_(options), aside_(aside), linearizer_(graph) {
+detail::ChangeLog everything_in(const Graph& graph) {
   detail::ChangeLog all;
   for (std::uint32_t p = 0; p < graph.vertex_pools().size(); ++p) {
     const detail::VertexPool& pool = *graph.vertex_pools()[p];
@@ -50,7 +44,12 @@ LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options, const std
     }
   }
   all.edges = graph.all_edges();
-  apply(all);
+  return all;
+}
+
+LiveProblem::LiveProblem(Graph& graph, const SmootherOptions& options, const std::set<EdgeRef>& aside)
+    : graph_(graph), options_(options), aside_(aside), linearizer_(graph) {
+  apply(everything_in(graph));
 }
 
 // ---- The elements ----
@@ -194,7 +193,7 @@ void LiveProblem::apply_edge(EdgeRef edge) {
   if (entry.term != kNone) return queue({edge.pool, edge.slot});
   if (!pool.alive(edge.slot) || pool.level(edge.slot) != 0) return;
   if (!aside_.empty() && aside_.contains({edge.pool, edge.slot, pool.generation(edge.slot)})) return;
-  if (const_cast<detail::EdgePool&>(pool).shift(edge.slot) != nullptr)
+  if (graph_.edge_pools()[edge.pool]->shift(edge.slot) != nullptr)
     throw InvalidArgument("Smoother: expected edges without constraints; use optimize()");
   blocks_.clear();
   const auto slots = pool.vertex_slots(edge.slot);
@@ -329,174 +328,6 @@ bool LiveProblem::takes_part(VertexRef vertex) const {
   return std::any_of(held_.begin(), held_.end(), [&](const auto& held) { return held.vertex == vertex; });
 }
 
-// ---- Linearization ----
-
-/// Sets the linearization point of a block to the estimate of its vertex, and queues its edges.
-void LiveProblem::set_point(std::uint32_t pool, std::uint32_t slot, Index block) {
-  points_[pool]->copy_estimates({&slot, 1}, *graph_.vertex_pools()[pool]);
-  factor_.reset_x(block);
-  const auto fixed = graph_.vertex_pools()[pool]->fixed_directions(slot);
-  std::vector<int> directions(fixed.begin(), fixed.end());
-  for (const auto& [vertex, direction] : held_directions_) {
-    if (vertex == vertex_of_[block]) directions.push_back(direction);
-  }
-  const bool is_same = std::ranges::equal(directions, factor_.held_scalars(block));
-  if (!is_same) factor_.hold_scalars(block, directions);
-  if (!is_same && (!held_.empty() || !held_directions_.empty())) may_be_anchored_ = true;
-  for (const Index term : factor_.terms_of(block)) queue(edge_of_[term]);
-}
-
-void LiveProblem::queue(EdgeName name) {
-  EdgeEntry& entry = edges_[name.pool][name.slot];
-  if (entry.is_queued) return;
-  entry.is_queued = true;
-  queued_[name.pool].push_back(name.slot);
-}
-
-bool LiveProblem::has_queued_edges() const {
-  return std::any_of(queued_.begin(), queued_.end(), [](const auto& list) { return !list.empty(); });
-}
-
-/// Lists the vertices of the queued edges whose estimates are not their linearization points.
-void LiveProblem::list_points() {
-  for (SlotList& list : lists_) list.slots.clear();
-  ++pass_;
-  pass_of_.resize(vertex_of_.size());
-  for (std::uint32_t p = 0; p < queued_.size(); ++p) {
-    for (const std::uint32_t edge : queued_[p]) {
-      if (edges_[p][edge].term == kNone) continue;
-      for (const Index block : factor_.blocks_of(edges_[p][edge].term)) {
-        if (pass_of_[block] == pass_) continue;
-        pass_of_[block] = pass_;
-        const auto x = factor_.x(block);
-        if (std::any_of(x.begin(), x.end(), [](double value) { return value != 0; }))
-          lists_[vertex_of_[block].pool].slots.push_back(vertex_of_[block].slot);
-      }
-    }
-  }
-}
-
-void LiveProblem::swap_points() {
-  for (std::size_t p = 0; p < lists_.size(); ++p) {
-    if (!lists_[p].slots.empty()) graph_.vertex_pools()[p]->swap_estimates(lists_[p].slots, *points_[p]);
-  }
-}
-
-LiveProblem::Linearized LiveProblem::linearize(const StopToken& stop, std::uint32_t& count) {
-  list_points();
-  struct AtPoints {
-    explicit AtPoints(LiveProblem& p) : problem(p) { problem.swap_points(); }
-    ~AtPoints() { problem.swap_points(); }
-    LiveProblem& problem;
-  };
-  const AtPoints at_points(*this);
-  for (std::uint32_t p = 0; p < queued_.size(); ++p) {
-    std::vector<std::uint32_t>& list = queued_[p];
-    std::erase_if(list, [&](std::uint32_t edge) {
-      edges_[p][edge].is_queued = edges_[p][edge].term != kNone;
-      return !edges_[p][edge].is_queued;
-    });
-    if (list.empty()) continue;
-    if (const Linearized result = linearize_pool(p, stop); result != Linearized::kAll) return result;
-    count += static_cast<std::uint32_t>(list.size());
-    for (const std::uint32_t edge : list) edges_[p][edge].is_queued = false;
-    list.clear();
-  }
-  return Linearized::kAll;
-}
-
-/// Linearizes the queued edges of a pool.
-LiveProblem::Linearized LiveProblem::linearize_pool(std::uint32_t p, const StopToken& stop) {
-  const detail::EdgePool& pool = *graph_.edge_pools()[p];
-  std::vector<std::uint32_t>& list = queued_[p];
-  std::sort(list.begin(), list.end());
-  scatter_.pool = p;
-  scatter_.edges.assign(list.begin(), list.end());
-  scatter_.targets.clear();
-  scatter_.target_start.clear();
-  for (const std::uint32_t edge : list) {
-    scatter_.target_start.push_back(static_cast<std::uint32_t>(scatter_.targets.size()));
-    place(pool, edge, edges_[p][edge].term);
-  }
-  reserve_memory(pool, list);
-  PacedStop pace(stop, detail::EdgeTile::kCapacity);
-  double* const values = factor_.values();
-  if (!linearizer_.add(scatter_, 0, static_cast<std::uint32_t>(list.size()), *memory_,
-                       {options_.numeric_jacobians, false}, pace, {values, values}))
-    return Linearized::kStopped;
-  for (const std::uint32_t edge : list) {
-    clear_fixed(edges_[p][edge].term);
-    if (all_finite(factor_.values_of(edges_[p][edge].term))) continue;
-    non_finite_ = {p, edge, pool.generation(edge)};
-    return Linearized::kNonFinite;
-  }
-  return Linearized::kAll;
-}
-
-/// Clears the term of an edge, and appends the targets of the edge to the scatter.
-void LiveProblem::place(const detail::EdgePool& pool, std::uint32_t edge, Index term) {
-  factor_.clear_term(term);
-  const auto blocks = factor_.blocks_of(term);
-  const auto slots = pool.vertex_slots(edge);
-  members_.clear();  // the place of each vertex among the blocks of the term
-  std::uint32_t next = 0;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const bool moves = next < blocks.size() &&
-                       vertices_[pool.vertex_pool(edge, static_cast<int>(i))][slots[i]].block == blocks[next];
-    members_.push_back(moves ? next++ : kNone);
-  }
-  for (const std::uint32_t i : members_)
-    scatter_.targets.push_back(i == kNone ? Scatter::kNowhere : factor_.gradient_of(term, i));
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      const bool moves = members_[i] != kNone && members_[j] != kNone;
-      scatter_.targets.push_back(moves ? factor_.block_of(term, members_[i], members_[j])
-                                       : Scatter::kNowhere);
-    }
-  }
-}
-
-/// Clears the rows and columns of a term that belong to fixed directions.
-void LiveProblem::clear_fixed(Index term) {
-  const auto blocks = factor_.blocks_of(term);
-  double* const values = factor_.values();
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const std::uint32_t dim = factor_.dim(blocks[k]);
-    for (const int held : factor_.held_scalars(blocks[k])) {
-      const auto h = static_cast<std::uint32_t>(held);
-      values[factor_.gradient_of(term, k) + h] = 0;
-      for (std::size_t other = 0; other < blocks.size(); ++other) {
-        const std::uint32_t size = factor_.dim(blocks[other]);
-        if (other >= k) {  // the block (other, k), where h is a column
-          std::fill_n(values + factor_.block_of(term, other, k) + h * size, size, 0.0);
-        }
-        if (other <= k) {  // the block (k, other), where h is a row
-          double* const block = values + factor_.block_of(term, k, other);
-          for (std::uint32_t c = 0; c < size; ++c) block[c * dim + h] = 0;
-        }
-      }
-    }
-  }
-}
-
-void LiveProblem::reserve_memory(const detail::EdgePool& pool, std::span<const std::uint32_t> edges) {
-  bool grows = !memory_;
-  for (const std::uint32_t edge : edges) {
-    const detail::EdgeShape shape = pool.shape(edge);
-    const auto capacity = static_cast<std::size_t>(pool.uniform_shape() ? tile_capacity(shape) : 1);
-    const auto rows = static_cast<std::size_t>(std::max(1, shape.rows));
-    const auto fit = [&](std::size_t& room, std::size_t needed) {
-      grows = grows || needed > room;
-      room = std::max(room, needed);
-    };
-    fit(memory_values_, capacity * rows * static_cast<std::size_t>(shape.cols));
-    fit(memory_rows_, capacity * rows);
-    fit(memory_dense_, dense_scratch(shape.rows, shape.cols));
-    if (pool.uniform_shape()) break;
-  }
-  if (grows) memory_ = std::make_unique<TileMemory>(memory_values_, memory_rows_, memory_dense_);
-}
-
 // ---- Estimates ----
 
 void LiveProblem::move(std::span<const Index> blocks) {
@@ -568,93 +399,6 @@ double LiveProblem::relinearize(std::span<const Index> blocks, double scale, dou
     set_point(pool, slot, block);
   }
   return farthest;
-}
-
-// ---- Marginalization ----
-
-std::vector<VertexRef> LiveProblem::followers(std::span<const VertexRef> leaving,
-                                              detail::FunctionRef<bool(VertexRef)> stays) const {
-  std::vector<VertexRef> result;
-  const auto leaves = [&](Index b) {
-    return std::find(leaving.begin(), leaving.end(), vertex_of_[b]) != leaving.end();
-  };
-  const auto for_each_neighbor = [&](Index b, auto&& f) {
-    for (const Index term : factor_.terms_of(b)) {
-      if (dynamic_cast<const MarginalPool*>(graph_.edge_pools()[edge_of_[term].pool].get()) != nullptr)
-        continue;
-      for (const Index other : factor_.blocks_of(term)) {
-        if (other != b) f(other);
-      }
-    }
-  };
-  // The neighbors of a vertex, which may be held and then has no block.
-  const auto for_each_neighbor_of = [&](VertexRef vertex, auto&& f) {
-    if (block(vertex) != kNone) return for_each_neighbor(block(vertex), f);
-    for (const EdgeRef& edge : graph_.edges(vertex)) {
-      for (const VertexRef& other : graph_.vertices(edge)) {
-        if (other != vertex && block(other) != kNone) f(block(other));
-      }
-    }
-  };
-  const auto look_at = [&](Index b) {
-    if (leaves(b) || stays(vertex_of_[b])) return;
-    bool is_needed = false;
-    for_each_neighbor(b, [&](Index other) { is_needed = is_needed || !leaves(other); });
-    if (!is_needed) result.push_back(vertex_of_[b]);
-  };
-  for (const VertexRef& vertex : leaving) {
-    for_each_neighbor_of(vertex, look_at);
-    if (block(vertex) == kNone) continue;
-    for (const Index term : factor_.terms_of(block(vertex))) {
-      for (const Index other : factor_.blocks_of(term)) look_at(other);  // also those that only a prior joins
-    }
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
-void LiveProblem::marginalize(std::span<const VertexRef> vertices) {
-  std::vector<Index> terms;
-  std::vector<VertexRef> others;
-  for (const VertexRef& vertex : vertices) {
-    for (const EdgeRef& edge : graph_.edges(vertex)) {
-      const EdgeEntry& entry = edges_[edge.pool][edge.slot];
-      if (entry.term != kNone && entry.generation == edge.generation) terms.push_back(entry.term);
-    }
-  }
-  std::sort(terms.begin(), terms.end());
-  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
-  for (const Index term : terms) {
-    for (const Index b : factor_.blocks_of(term)) {
-      if (std::find(vertices.begin(), vertices.end(), vertex_of_[b]) == vertices.end())
-        others.push_back(vertex_of_[b]);
-    }
-  }
-  std::vector<VertexRef> gone;  // without those that are held
-  std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(gone),
-               [&](VertexRef vertex) { return block(vertex) != kNone; });
-  DenseModel model;
-  model.set_vertices(graph_, gone, std::move(others));
-  const double* const values = factor_.values();
-  for (const Index term : terms) {
-    const auto blocks = factor_.blocks_of(term);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      const Eigen::Index rows = factor_.dim(blocks[i]), row = model.first_of(vertex_of_[blocks[i]]);
-      model.b.segment(row, rows) +=
-          Eigen::Map<const Eigen::VectorXd>(values + factor_.gradient_of(term, i), rows);
-      for (std::size_t j = 0; j <= i; ++j) {
-        const Eigen::Index columns = factor_.dim(blocks[j]), column = model.first_of(vertex_of_[blocks[j]]);
-        const Eigen::Map<const Eigen::MatrixXd> part(values + factor_.block_of(term, i, j), rows, columns);
-        model.H.block(row, column, rows, columns) += part;
-        if (i != j) model.H.block(column, row, columns, rows) += part.transpose();
-      }
-    }
-  }
-  const DenseModel prior = eliminated(model, gone.size());
-  if (!prior.vertices.empty()) add_marginal_prior(graph_, prior, points_);
-  for (const VertexRef& vertex : prior.vertices) vertices_[vertex.pool][vertex.slot].is_pinned = true;
-  for (const VertexRef& vertex : vertices) graph_.remove(vertex);
 }
 
 }  // namespace boxplus

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "boxplus/base/function_ref.h"
+#include "boxplus/graph/change_log.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/incremental/smoother_options.h"
 #include "linear/incremental/incremental_factor.h"
@@ -16,6 +18,9 @@
 #include "linearize/tile_memory.h"
 
 namespace boxplus {
+
+/// A log with all vertices, parameters and edges of a graph.
+detail::ChangeLog everything_in(const Graph& graph);
 
 /// A block exists for each vertex that can move and has edges. Its linearization point θ is kept here, and
 /// the graph has its estimate θ ⊞ δ, where δ is the x of the factor. A term exists for each edge of level 0

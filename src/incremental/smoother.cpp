@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/incremental/smoother.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "boxplus/optimize/optimizer.h"
 #include "incremental/closure_judge.h"
 #include "incremental/lag_window.h"
+#include "incremental/live_covariance.h"
 #include "incremental/live_problem.h"
 #include "plan/plan.h"
 
@@ -89,72 +89,12 @@ class Smoother::Impl {
 
   Eigen::MatrixXd covariance(std::span<const VertexRef> vertices) {
     if (!is_solved_) throw InvalidArgument("Smoother: expected a successful update before");
-    return joint_covariance(vertices);
+    return joint_covariance(graph_, *problem_, vertices);
   }
 
   EdgePreview preview(EdgeRef edge) {
     if (!is_solved_) throw InvalidArgument("Smoother: expected a successful update before");
-    return predict(edge);
-  }
-
-  /// The joint covariance of vertices, from the factor as it is.
-  Eigen::MatrixXd joint_covariance(std::span<const VertexRef> vertices) {
-    std::vector<LiveProblem::Index> blocks;
-    std::vector<Eigen::Index> from;  // of each scalar of the result: its place among those of the blocks
-    Eigen::Index next = 0;
-    for (const VertexRef& vertex : vertices) {
-      const LiveProblem::Index block = problem_->block(vertex);
-      const int dim = graph_.tangent_dim(vertex);
-      if (!problem_->takes_part(vertex))
-        throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " has no edges");
-      if (block != LiveProblem::kNone && problem_->factor().root_of(block) == LiveProblem::kNone)
-        throw InvalidArgument("Smoother: vertex " + std::to_string(graph_.id(vertex)) + " is new");
-      for (int i = 0; i < dim; ++i) from.push_back(block == LiveProblem::kNone ? -1 : next++);
-      if (block == LiveProblem::kNone) continue;
-      for (const int held : problem_->factor().held_scalars(block))
-        from[from.size() - static_cast<std::size_t>(dim - held)] = -1;
-      blocks.push_back(block);
-    }
-    std::vector<double> values;
-    problem_->factor().covariance(blocks, values);
-    const Eigen::Map<const Eigen::MatrixXd> found(values.data(), next, next);
-    const auto size = static_cast<Eigen::Index>(from.size());
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-    for (Eigen::Index j = 0; j < size; ++j) {
-      for (Eigen::Index i = 0; i < size; ++i) {
-        const Eigen::Index a = from[static_cast<std::size_t>(i)], b = from[static_cast<std::size_t>(j)];
-        if (a >= 0 && b >= 0) result(i, j) = found(a, b);
-      }
-    }
-    return result;
-  }
-
-  /// What an edge would cost and change, from the factor as it is.
-  EdgePreview predict(EdgeRef edge) {
-    const std::vector<VertexRef> vertices = graph_.vertices(edge);
-    const Eigen::MatrixXd sigma = joint_covariance(vertices);
-    const std::vector<Eigen::MatrixXd> blocks = graph_.jacobian(edge);
-    const std::vector<double> values = graph_.error(edge);
-    const Eigen::Map<const Eigen::VectorXd> e(values.data(), static_cast<Eigen::Index>(values.size()));
-    Eigen::MatrixXd J(e.size(), sigma.cols());
-    Eigen::Index column = 0;
-    for (const Eigen::MatrixXd& block : blocks) {
-      J.middleCols(column, block.cols()) = block;
-      column += block.cols();
-    }
-    const Eigen::MatrixXd omega = graph_.information(edge).matrix();
-    // (Ω⁻¹ + C)⁻¹ = (I + ΩC)⁻¹ Ω also exists if Ω is singular.
-    const Eigen::MatrixXd C = J * sigma * J.transpose();
-    const Eigen::VectorXd weighted =
-        (Eigen::MatrixXd::Identity(e.size(), e.size()) + omega * C).partialPivLu().solve(omega * e);
-    EdgePreview preview{e.dot(omega * e), e.dot(weighted), static_cast<int>(e.size()), {}};
-    const Eigen::VectorXd step = -sigma * J.transpose() * weighted;
-    column = 0;
-    for (const Eigen::MatrixXd& block : blocks) {
-      preview.steps.emplace_back(step.segment(column, block.cols()));
-      column += block.cols();
-    }
-    return preview;
+    return preview_edge(graph_, *problem_, edge);
   }
 
   void set_time(VertexRef vertex, double seconds) {
@@ -233,7 +173,7 @@ class Smoother::Impl {
     for (const EdgeRef& edge : held) {
       if (std::find(needed.begin(), needed.end(), edge) != needed.end()) {
         judge_.take_back(edge);
-      } else if (!judge_.accepts(edge, predict(edge), options_.false_alarm)) {
+      } else if (!judge_.accepts(edge, preview_edge(graph_, *problem_, edge), options_.false_alarm)) {
         report.set_aside.push_back(edge);
       }
     }
@@ -247,13 +187,6 @@ class Smoother::Impl {
       if (!problem_->takes_part(vertex)) return true;
     }
     return false;
-  }
-
-  static detail::ChangeLog everything_in(const Graph& graph) {
-    detail::ChangeLog log;
-    log.vertices = graph.all_vertices();
-    log.edges = graph.all_edges();
-    return log;
   }
 
   /// Linearizes, factorizes and solves until no vertex has to be linearized anew.

@@ -97,10 +97,8 @@ class IncrementalFactor {
   /// information matrix for data association", RAS 2009). The factor must be up to date.
   void covariance(std::span<const Index> blocks, std::vector<double>& out);
 
-  /// The number of values in the panels of all fronts, and of scalars.
-  std::uint64_t panel_values() const { return panel_values_; }
+  /// The number of scalars of all blocks.
   std::uint32_t scalars() const { return scalars_; }
-  std::size_t memory_numbers() const { return memory_.numbers() + values_.size(); }
 
  private:
   /// The scalars of a block in x.
@@ -181,7 +179,7 @@ class IncrementalFactor {
   std::vector<std::vector<std::uint32_t>> free_x_;       // per size
   SizedMemory memory_;
   std::uint64_t prediction_ = 0;
-  std::uint64_t sequence_ = 0, age_ = 0, pass_ = 0, panel_values_ = 0;
+  std::uint64_t sequence_ = 0, age_ = 0, pass_ = 0;
   std::uint32_t scalars_ = 0;
 
   std::vector<Index> touched_, changed_terms_, dirty_, new_roots_;

@@ -24,7 +24,6 @@ Index IncrementalFactor::new_front() {
 void IncrementalFactor::free_front(Index f) {
   Front& front = fronts_[f];
   memory_.give_back(front.values, front.size());
-  panel_values_ -= front.panel_size();
   front.blocks.clear();
   front.places.clear();
   front.children.clear();
@@ -148,7 +147,6 @@ void IncrementalFactor::rebuild() {
     for (const Index c : front.children) find_runs(fronts_[c], front);
     if (front.blocks.size() > front.pivots) attach(f, blocks_[front.separator()[0]].front);
     front.values = memory_.take(front.size());
-    panel_values_ += front.panel_size();
     front.is_dirty = true;
     dirty_.push_back(f);
   }

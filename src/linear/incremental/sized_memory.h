@@ -25,12 +25,10 @@ class SizedMemory {
     const std::size_t room = room_of(size);
     if (room > kSlab / 8) {
       slabs_.push_back(std::make_unique_for_overwrite<double[]>(room));
-      numbers_ += room;
       return slabs_.back().get();
     }
     if (left_ < room) {
       slabs_.push_back(std::make_unique_for_overwrite<double[]>(kSlab));
-      numbers_ += kSlab;
       next_ = slabs_.back().get();
       left_ = kSlab;
     }
@@ -41,8 +39,6 @@ class SizedMemory {
   }
   /// `size` must be the size with which the array was taken, or one of the same class.
   void give_back(double* array, std::size_t size) { free_[class_of(size)].push_back(array); }
-  /// The number of doubles that this object holds.
-  std::size_t numbers() const { return numbers_; }
 
   /// The room of arrays of this size: the smallest of 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, … that suffices.
   static std::size_t room_of(std::size_t size) {
@@ -62,7 +58,7 @@ class SizedMemory {
   std::array<std::vector<double*>, 240> free_;
   std::vector<std::unique_ptr<double[]>> slabs_;
   double* next_ = nullptr;
-  std::size_t left_ = 0, numbers_ = 0;
+  std::size_t left_ = 0;
 };
 
 }  // namespace boxplus

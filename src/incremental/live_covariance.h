@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Covariances and predictions from the live factor as it is.
+#pragma once
+
+#include <span>
+
+#include "boxplus/base/matrix.h"
+#include "incremental/live_problem.h"
+
+namespace boxplus {
+
+/// Smoother::covariance(), for a factor that is up to date. Throws InvalidArgument if a vertex takes no part,
+/// or has not been factorized yet.
+Eigen::MatrixXd joint_covariance(const Graph& graph, LiveProblem& problem,
+                                 std::span<const VertexRef> vertices);
+
+/// Smoother::preview(), for a factor that is up to date. Throws what joint_covariance() throws.
+EdgePreview preview_edge(const Graph& graph, LiveProblem& problem, EdgeRef edge);
+
+}  // namespace boxplus
