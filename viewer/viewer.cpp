@@ -57,6 +57,11 @@ void Viewer::update() {
   implementation_->workspace().update();
 }
 
+void Viewer::follow() {
+  take_back();
+  implementation_->workspace().follow();
+}
+
 void Viewer::hand_over() {
   implementation_->workspace().hand_over();
 }

@@ -13,8 +13,8 @@ _open = set()  # viewers stay open until they are closed, also if the program ke
 class Viewer:
     """Serves a page that shows a graph, and its optimization while it runs. view() opens it.
 
-    optimize(), Optimizer.run() and find_outliers() show their iterations on the page. Call update() to show what else has
-    changed. The page only watches, unless hand_over() lets it optimize the graph.
+    optimize(), Optimizer.run() and find_outliers() show their iterations on the page, and Smoother.update() shows how the
+    graph grows, at most 30 times a second. Call update() to show what else has changed. The page only watches, unless hand_over() lets it optimize the graph.
     """
 
     def __init__(self, graph, *, name="graph", host="127.0.0.1", port=0):

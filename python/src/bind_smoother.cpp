@@ -19,6 +19,7 @@
 #include "members.h"
 #include "option_class.h"
 #include "options_object.h"
+#include "viewers_of_run.h"
 
 namespace boxplus::python {
 namespace {
@@ -119,8 +120,11 @@ class SmootherObject {
     const SmootherOptionsObject options = options_;  // keeps the flag
     const FreshEdges fresh(run.graph());
     smoother_->set_options(options.native());
+    const ViewersOfRun viewers(graph());
     const py::gil_scoped_release release;
-    return (smoother_.get()->*function)();
+    const SmootherReport report = (smoother_.get()->*function)();
+    viewers.follow();
+    return report;
   }
   void set_time(py::handle vertex, py::handle seconds) {
     smoother_->set_time(vertex_of(graph().read(), vertex, "vertex"), read_number(seconds, "seconds"));

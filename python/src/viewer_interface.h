@@ -20,6 +20,7 @@ class ViewerInterface {
   virtual void show(const Report& report) = 0;
   virtual void show(const OutlierReport& found) = 0;
   virtual void update() = 0;
+  virtual void follow() = 0;
   virtual void hand_over() = 0;
   virtual void take_back() = 0;
 };

@@ -17,6 +17,7 @@ class NativeViewer final : public ViewerInterface {
   void show(const Report& report) override { viewer_.show(report); }
   void show(const OutlierReport& found) override { viewer_.show(found); }
   void update() override { viewer_.update(); }
+  void follow() override { viewer_.follow(); }
   void hand_over() override { viewer_.hand_over(); }
   void take_back() override { viewer_.take_back(); }
 

@@ -24,6 +24,9 @@ class ViewersOfRun {
   void show(const auto& report) const {
     for (const auto& viewer : viewers_) viewer->show(report);
   }
+  void follow() const {
+    for (const auto& viewer : viewers_) viewer->follow();
+  }
   void update() const {
     for (const auto& viewer : viewers_) viewer->update();
   }

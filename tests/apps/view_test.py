@@ -124,11 +124,12 @@ class ViewCase(CommandCase):
         self.assertEqual(run("simulate", "manhattan", "--poses", 20000, "-o", graph).returncode, 0)
         return self.viewer(graph)
 
-class OptimizeView(CommandCase):
-    """`boxplus optimize --view`."""
+class CommandView(CommandCase):
+    """A command with the option --view."""
+    command = None
 
     def start(self, *options):
-        process = subprocess.Popen([BOXPLUS, "optimize", str(TOWN), "--view", *options], stdout=subprocess.PIPE,
+        process = subprocess.Popen([BOXPLUS, self.command, str(TOWN), "--view", *options], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: process.poll() is None and process.kill())
         viewer = Viewer.__new__(Viewer)
@@ -136,6 +137,34 @@ class OptimizeView(CommandCase):
         viewer.url = re.search(r"http://\S+", process.stderr.readline()).group()
         viewer.port = int(re.search(r":(\d+)/", viewer.url).group(1))
         return viewer
+
+class ReplayView(CommandView):
+    command = "replay"
+
+    def test_waits_for_a_page_and_shows_how_the_graph_grows(self):
+        output = self.path / "out.g2o"
+        viewer = self.start("-o", output, "--seconds", "2")
+        lines = lambda stream: len(stream.structure[1]["edges"])
+        stream = viewer.stream()
+        self.assertFalse(output.exists())
+        first = lines(stream)
+        stream.read_until(lambda s: lines(s) > first)
+        last = lines(stream)
+        stream.read_until(lambda s: lines(s) > last and not s.state["busy"])
+        self.assertEqual(viewer.end(), 0)
+        self.assertTrue(output.exists())
+
+    def test_ends_early_on_request(self):
+        viewer = self.start("--seconds", "1000")
+        viewer.stream()
+        self.assertEqual(viewer.end(), 1)
+
+    def test_options_of_the_page_need_it(self):
+        for option in "--port", "--seconds":
+            self.assertEqual(run("replay", TOWN, option, "1").returncode, 2)
+
+class OptimizeView(CommandView):
+    command = "optimize"
 
     def test_shows_the_run_and_writes_the_file_before_it_serves(self):
         output = self.path / "out.g2o"

@@ -16,7 +16,7 @@ constexpr std::uint32_t kNotDrawn = 0xFFFFFFFF;
 
 class StructureMaker {
  public:
-  explicit StructureMaker(const Graph& graph) : graph_(graph), role_(graph) {}
+  StructureMaker(const Graph& graph, Drawn drawn) : graph_(graph), drawn_(drawn), role_(graph) {}
 
   Structure make() {
     made_.revision = graph_.revision();
@@ -58,12 +58,20 @@ class StructureMaker {
     detail::Frame frame;
     for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
       if (!pool.alive(slot) || pool.parameter(slot) || !pool.get_frame(slot, frame)) continue;
+      if (!is_drawn({index, slot, pool.generation(slot)})) continue;
       if (frame.has_rotation)
         group.shape = direction == 0 ? Shape::kPose : direction > 0 ? Shape::kCamera : Shape::kCameraBack;
       made_.dimension = std::max(made_.dimension, frame.dimension);
       group.slots.push_back(slot);
     }
     return group;
+  }
+
+  bool is_drawn(VertexRef vertex) const {
+    if (drawn_ == Drawn::kAll) return true;
+    const auto edges = graph_.edges(vertex);
+    return edges.empty() ||
+           std::any_of(edges.begin(), edges.end(), [&](EdgeRef edge) { return graph_.level(edge) == 0; });
   }
 
   void join_vertices() {
@@ -73,6 +81,7 @@ class StructureMaker {
     std::map<std::pair<std::uint32_t, EdgeRole>, Group> groups;
     std::size_t count = 0;
     for (const EdgeRef& edge : graph_.all_edges()) {
+      if (drawn_ == Drawn::kTakingPart && graph_.level(edge) != 0) continue;
       std::uint32_t first = kNotDrawn;
       Group* group = nullptr;
       for (const VertexRef& vertex : graph_.vertices(edge)) {
@@ -120,6 +129,7 @@ class StructureMaker {
   }
 
   const Graph& graph_;
+  Drawn drawn_;
   EdgeRoles role_;
   Structure made_;
   std::vector<std::vector<std::uint32_t>> numbers_;  // by pool and slot
@@ -127,8 +137,8 @@ class StructureMaker {
 
 }  // namespace
 
-Structure make_structure(const Graph& graph) {
-  return StructureMaker(graph).make();
+Structure make_structure(const Graph& graph, Drawn drawn) {
+  return StructureMaker(graph, drawn).make();
 }
 
 }  // namespace boxplus::viewer

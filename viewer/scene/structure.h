@@ -60,7 +60,11 @@ struct Structure {
   static constexpr std::uint32_t kMostLines = 4'000'000;
 };
 
+/// Which elements are drawn: all, or those that take part: edges of level 0, and vertices that have one or
+/// have no edge at all.
+enum class Drawn : std::uint8_t { kAll, kTakingPart };
+
 /// O(n log n) in the vertices, O(n) in the edges.
-Structure make_structure(const Graph& graph);
+Structure make_structure(const Graph& graph, Drawn drawn = Drawn::kAll);
 
 }  // namespace boxplus::viewer

@@ -70,9 +70,9 @@ GraphSubject::GraphSubject(GraphFile file, std::string name)
   structure_ = make_structure(*graph_);
 }
 
-GraphSubject::GraphSubject(Graph& graph, std::string name, const GraphFile* file)
-    : graph_(&graph), file_(file), name_(std::move(name)) {
-  structure_ = make_structure(*graph_);
+GraphSubject::GraphSubject(Graph& graph, std::string name, const GraphFile* file, Drawn drawn)
+    : graph_(&graph), file_(file), name_(std::move(name)), drawn_(drawn) {
+  structure_ = make_structure(*graph_, drawn_);
   if (file_ != nullptr) scans_ = ScansOfFile(*file_, name_);
 }
 
@@ -99,7 +99,7 @@ Message GraphSubject::form() const {
 
 bool GraphSubject::update_structure() {
   if (structure_.revision == graph_->revision()) return false;
-  Structure structure = make_structure(*graph_);
+  Structure structure = make_structure(*graph_, drawn_);
   if (structure_.count > 0) structure.center = structure_.center;  // so that the picture does not move
   structure_ = std::move(structure);
   return true;

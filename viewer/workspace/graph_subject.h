@@ -26,7 +26,7 @@ class GraphSubject final : public Subject {
   GraphSubject(GraphFile file, std::string name);
   /// Shows a graph of the program, which must outlive this subject. `file` may be null; otherwise the graph
   /// is the one in this file, which must outlive this subject, too.
-  GraphSubject(Graph& graph, std::string name, const GraphFile* file = nullptr);
+  GraphSubject(Graph& graph, std::string name, const GraphFile* file = nullptr, Drawn drawn = Drawn::kAll);
 
   Facts facts() const override;
   double chi2() override { return graph_->chi2(); }
@@ -75,6 +75,7 @@ class GraphSubject final : public Subject {
   Graph* graph_;
   const GraphFile* file_;
   std::string name_;
+  Drawn drawn_ = Drawn::kAll;
   Structure structure_;
   ScansOfFile scans_;
   std::optional<Truth> truth_;

@@ -182,14 +182,19 @@ bool Workspace::note(const IterationRecord& record) {
     ++version_;
     has_news_.notify_all();
   }
-  if (readers_ == 0 || Clock::now() < next_frame_) return true;
+  if_due([&] { make_frame(record.iteration, record.chi2, false); });
+  return true;
+}
+
+/// Calls `show`, unless nobody reads, or the last call was too short ago for its share of the time.
+void Workspace::if_due(const std::function<void()>& show) {
+  if (readers_ == 0 || Clock::now() < next_frame_) return;
   constexpr auto kShortest = std::chrono::milliseconds(33);
   constexpr int kShare = 25;
   const auto begin = Clock::now();
-  make_frame(record.iteration, record.chi2, false);
+  show();
   const auto end = Clock::now();
   next_frame_ = end + std::max<Clock::duration>(kShortest, kShare * (end - begin));
-  return true;
 }
 
 void Workspace::note_stage(const std::string& name, const IterationRecord& record) {

@@ -264,4 +264,8 @@ void Workspace::update() {
   make_frame(static_cast<int>(rows_.size()), chi2, true);
 }
 
+void Workspace::follow() {
+  if_due([this] { update(); });
+}
+
 }  // namespace boxplus::viewer

@@ -115,6 +115,10 @@ class Workspace final : private Listener {
   void watch_end(const Outcome& outcome);
   /// Shows the current estimates, and the structure if it has changed. The workspace must be held.
   void update();
+  /// The same for a graph that changes often: at most 30 times a second, in at most 1/25 of the time, and
+  /// only if there is a reader.
+  void follow();
+  bool has_readers() const { return readers_ > 0; }
 
   /// Stops the run, refuses all later commands, and wakes all readers.
   void end();
@@ -192,6 +196,7 @@ class Workspace final : private Listener {
   void finish(const Outcome& outcome);
   void update_structure();
   void make_frame(int iteration, double chi2, bool at_rest);
+  void if_due(const std::function<void()>& show);
   void add_covariances();
   void publish(Message frame);
   void set_diagnosis(Message diagnosis);

@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
 
 #include "boxplus/base/error.h"
 #include "boxplus/optimize/optimizer.h"
@@ -13,9 +16,11 @@
 #include "command_line/message.h"
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
+#include "files/interrupt.h"
 #include "files/outputs.h"
 #include "replay/replay_run.h"
 #include "replay/time_chart.h"
+#include "view/live_view.h"
 
 namespace boxplus::app {
 namespace {
@@ -29,10 +34,13 @@ constexpr const char* kReplayFooter =
     "  boxplus replay drive.g2o -o map.g2o\n"
     "  boxplus replay drive.g2o --times times.csv --compare-every 100\n"
     "  boxplus replay drive.g2o --json - | jq .time_s\n"
+    "  boxplus replay drive.g2o --view --open --seconds 60\n"
     "\n"
     "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.";
 
-struct ReplayArguments {
+struct ReplayArguments : ServingArguments {
+  bool view = false;
+  double seconds = 20;  // how long the page shows the replay, at least
   std::string input, output, json, times, plot;
   int compare_every = 0;
   bool quiet = false;
@@ -77,10 +85,37 @@ struct Outcome {
   }
 };
 
-Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay) {
+/// Shows the steps of a replay, evenly over the time that the arguments say.
+class PacedView {
+ public:
+  PacedView(LiveView& view, const ReplayArguments& arguments, std::size_t steps)
+      : view_(view),
+        pause_(std::chrono::duration<double>(arguments.seconds) / std::max(steps, std::size_t{1})) {
+    view_.wait_for_page();
+    next_ = Clock::now();
+  }
+  /// Shows a step. Returns false if the user has pressed Ctrl-C.
+  bool show() {
+    view_.follow();
+    next_ += std::chrono::duration_cast<Clock::duration>(pause_);
+    std::this_thread::sleep_until(next_);
+    return !Interrupt::raised();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  LiveView& view_;
+  std::chrono::duration<double> pause_;
+  Clock::time_point next_;
+};
+
+Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay, LiveView* view) {
   Outcome outcome;
+  std::optional<PacedView> paced;
+  if (view != nullptr) paced.emplace(*view, arguments, replay.steps());
   while (replay.done() < replay.steps()) {
     const SmootherReport report = replay.step();
+    if (paced && !paced->show()) break;
     if (!report.message.empty() && outcome.failures++ == 0)
       print_message(fmt::format("step {}: {}", replay.done(), report.message));
     const bool is_due =
@@ -173,14 +208,22 @@ int replay_file(const ReplayArguments& arguments) {
   print_notes(file, arguments.input);
   if (!arguments.output.empty()) require_representable(arguments.output, file);
   Replay replay(file.graph, arguments.options);
-  const Outcome outcome = run(arguments, file.graph, replay);
+  std::optional<Interrupt> interrupt;
+  std::optional<LiveView> view;
+  if (arguments.view) {
+    interrupt.emplace();
+    view.emplace(file, arguments.input, arguments, viewer::Drawn::kTakingPart);
+  }
+  const Outcome outcome = run(arguments, file.graph, replay, view ? &*view : nullptr);
   if (!arguments.json.empty()) write_output(arguments.json, json_of(arguments, replay, outcome));
   if (!arguments.times.empty()) write_output(arguments.times, csv_of(replay.seconds()));
   if (!arguments.plot.empty()) write_output(arguments.plot, chart_of(arguments, replay, outcome));
   if (!arguments.output.empty()) save_graph(arguments.output, file);
   if (!arguments.quiet) print_summary(outputs, summary(arguments, replay, outcome));
-  if (!outcome.last.message.empty()) return kNumericalFailure;
-  return outcome.last.converged() ? kSuccess : kNotConverged;
+  const bool is_whole = outcome.last.converged() && replay.done() == replay.steps();
+  const int code = !outcome.last.message.empty() ? kNumericalFailure : is_whole ? kSuccess : kNotConverged;
+  if (view) view->serve(code);
+  return code;
 }
 
 void add_options(CLI::App& command, ReplayArguments& arguments) {
@@ -223,6 +266,15 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
                    "Set false loop closures aside, and take them back");
   command.add_flag("-q,--quiet", arguments.quiet, "Print no summary");
   add_reading_options(command, arguments.reading);
+  CLI::Option* const view = command.add_flag(
+      "--view", arguments.view, "Wait for a browser, show it each step, and serve the page until Ctrl-C");
+  view->group("View");
+  command.add_option("--seconds", arguments.seconds, "How long the page shows the replay, at least")
+      ->check(number_from(0))
+      ->capture_default_str()
+      ->group("View")
+      ->needs(view);
+  add_serving_options(command, arguments, view);
   command.footer(kReplayFooter);
 }
 

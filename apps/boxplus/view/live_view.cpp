@@ -12,9 +12,16 @@
 
 namespace boxplus::app {
 
-LiveView::LiveView(GraphFile& file, const std::string& path, const ServingArguments& arguments)
+namespace {
+
+constexpr auto kPause = std::chrono::milliseconds(50);
+
+}  // namespace
+
+LiveView::LiveView(GraphFile& file, const std::string& path, const ServingArguments& arguments,
+                   viewer::Drawn drawn)
     : workspace_(nullptr), server_(workspace_, arguments.server) {
-  workspace_.show(std::make_unique<viewer::GraphSubject>(file.graph, shown_name(path), &file));
+  workspace_.show(std::make_unique<viewer::GraphSubject>(file.graph, shown_name(path), &file, drawn));
   workspace_.hold();
   print_message(fmt::format("view it at {}", server_.url()));
   sigset_t none;
@@ -22,12 +29,25 @@ LiveView::LiveView(GraphFile& file, const std::string& path, const ServingArgume
   if (arguments.opens_browser) open_browser(server_.url(), none);
 }
 
+void LiveView::wait_for_page() const {
+  while (!workspace_.has_readers() && !Interrupt::raised()) std::this_thread::sleep_for(kPause);
+}
+
 void LiveView::serve(const Report& report, int code) {
   workspace_.watch_end(viewer::outcome_of(report));
+  serve_graph(code);
+}
+
+void LiveView::serve(int code) {
+  workspace_.update();
+  serve_graph(code);
+}
+
+void LiveView::serve_graph(int code) {
   if (Interrupt::raised()) return;
   workspace_.hand_over();
   print_message(fmt::format("the viewer stays at {}; Ctrl-C ends it", server_.url()));
-  while (!Interrupt::raised()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  while (!Interrupt::raised()) std::this_thread::sleep_for(kPause);
   end_soon(code);
 }
 

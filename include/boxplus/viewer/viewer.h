@@ -55,6 +55,9 @@ class Viewer {
   void show(const OutlierReport& found);
   /// Shows the current estimates. Call it if the program has changed estimates or elements outside of a run.
   void update();
+  /// The same after each update of a Smoother, or of any graph that grows: at most 30 times a second, in at
+  /// most 1/25 of the time, and only if a page is open.
+  void follow();
 
   /// Lets pages optimize and change the graph, in a thread of the viewer. The program must not use the graph,
   /// until take_back().

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/manifold/se2.h"
 #include "boxplus/testing/simulate_bundle.h"
 
 namespace boxplus::viewer {
@@ -49,6 +50,18 @@ TEST(Structure, GroupsLinesByTypeAndRole) {
   EXPECT_THAT(structure.lines, ElementsAre(0, 1, 1, 2, 0, 2, 2, 3));
   EXPECT_EQ(structure.line_groups[1].first, 2U);
   EXPECT_EQ(structure.line_groups[2].count, 1U);
+}
+
+TEST(Structure, CanLeaveOutWhatTakesNoPart) {
+  Graph graph = parsed(kLoop);
+  for (const EdgeRef& edge : graph.all_edges()) graph.set_level(edge, 1);
+  graph.add_vertex(SE2(5, 5, 0));  // it has no edges
+  EXPECT_EQ(make_structure(graph, Drawn::kTakingPart).count, 1U);
+  graph.set_level(graph.all_edges()[0], 0);
+  const Structure structure = make_structure(graph, Drawn::kTakingPart);
+  EXPECT_EQ(structure.count, 3U);
+  EXPECT_THAT(structure.lines, ElementsAre(0, 1));
+  EXPECT_EQ(make_structure(graph).count, 5U);
 }
 
 TEST(Structure, HasNoLinesForParametersAndPriors) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
 #include <tuple>
 
 #include "boxplus/base/error.h"
@@ -339,6 +340,21 @@ TEST_F(HeldWorkspace, ShowsElementsThatItsProgramAdds) {
   ASSERT_EQ(messages.size(), 4U);
   EXPECT_EQ(kind_of(messages[2]), MessageKind::kStructure);
   EXPECT_EQ(Json::parse(messages[0]->substr(8))["file"]["vertices"], 4);
+}
+
+TEST_F(HeldWorkspace, FollowsAGraphThatGrowsAtAMeasuredPace) {
+  file_.graph.add_vertex(SE2(1, 1, 0));
+  workspace_.follow();  // nobody reads
+  Workspace::Reader reader(workspace_, "");
+  EXPECT_EQ(last_state(reader)["file"]["vertices"], 3);
+  workspace_.follow();
+  EXPECT_EQ(last_state(reader)["file"]["vertices"], 4);
+  file_.graph.add_vertex(SE2(2, 1, 0));
+  workspace_.follow();  // too early
+  EXPECT_THAT(reader.wait(0ms), IsEmpty());
+  std::this_thread::sleep_for(50ms);
+  do workspace_.follow();
+  while (reader.wait(10ms).empty());
 }
 
 TEST_F(HeldWorkspace, LeavesTheStackOfTheGraphAsItWas) {
