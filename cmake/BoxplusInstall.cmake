@@ -17,7 +17,7 @@ install(EXPORT boxplus FILE boxplusTargets.cmake NAMESPACE boxplus:: DESTINATION
 get_target_property(type boxplus TYPE)
 string(COMPARE EQUAL ${type} STATIC_LIBRARY BOXPLUS_IS_STATIC)
 configure_package_config_file(cmake/boxplusConfig.cmake.in boxplusConfig.cmake INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(boxplusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(boxplusConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/boxplusConfig.cmake ${PROJECT_BINARY_DIR}/boxplusConfigVersion.cmake
               cmake/FindAMD.cmake DESTINATION ${package_dir})
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks two guarantees in the C++ sources.
+"""Checks guarantees in the C++ sources.
 
     check_sources.py [ROOT]
 
@@ -8,6 +8,8 @@ Quiet: no source of the library prints, exits or aborts. (The g2o API prints err
 may print.)
 Permissive: each file has the license of the project, and includes headers of other libraries only if the table below
 has them. The opt-in solvers of the g2o API alone may include the headers of CHOLMOD and CXSparse.
+Stable: a deprecated name says what to use instead, and the changelog has a section for the version of the project
+(docs/versions.md).
 """
 
 import pathlib
@@ -37,6 +39,8 @@ OPT_IN = ("g2o/src/solvers/suitesparse/", "g2o/include/g2o/solvers/cholmod/cholm
 SYSTEM = re.compile(r"[a-z0-9_]+|sys/\w+\.h|(?:boxplus|g2o)/.*"
                     r"|(?:cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
 
+DEPRECATED = re.compile(r"\[\[deprecated(?!\(\"use )")
+VERSION = re.compile(r"^project\(boxplus VERSION ([0-9.]+)", re.MULTILINE)
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*<([^>]+)>", re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'""", re.DOTALL)
 LOUD = re.compile(r"\bstd::(?:cout|cerr|clog|wcout|wcerr)\b|\b(?:stdout|stderr)\b|\bfmt::print\b"
@@ -74,9 +78,22 @@ def violations(root):
                 yield f"{path}:{line}: the library must not print, exit or abort ({match[0].rstrip(' (')})"
 
 
+def unstable(root):
+    for folder in ("include", "g2o/include"):
+        for file in cpp_files(root, folder):
+            text = file.read_text(encoding="utf-8")
+            for match in DEPRECATED.finditer(text):
+                line = text.count("\n", 0, match.start()) + 1
+                yield f'{file.relative_to(root).as_posix()}:{line}: expected [[deprecated("use …")]]'
+    lists, changes = root / "CMakeLists.txt", root / "CHANGELOG.md"
+    version = VERSION.search(lists.read_text(encoding="utf-8")) if lists.exists() else None
+    if version and f"\n## {version[1]}\n" not in changes.read_text(encoding="utf-8"):
+        yield f"CHANGELOG.md:1: there is no section for version {version[1]}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
-    found = list(violations(root))
+    found = [*violations(root), *unstable(root)]
     print(*found, sep="\n", end="\n" if found else "")
     return 1 if found else 0
 

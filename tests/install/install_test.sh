@@ -14,6 +14,17 @@ if grep -rnF -e "$work" -e "$build" "$work/moved" --include='*.cmake'; then
   exit 1
 fi
 
+# A project gets the version that it asks for, or a later one with the same major number.
+for version in 0.1 1.1 2.0; do
+  mkdir -p "$work/asks"
+  printf 'cmake_minimum_required(VERSION 3.22)\nproject(asks)\nfind_package(boxplus %s REQUIRED)\n' "$version" \
+    >"$work/asks/CMakeLists.txt"
+  if "$cmake" -S "$work/asks" -B "$work/asks/build" -DCMAKE_PREFIX_PATH="$work/moved" >/dev/null 2>&1; then
+    echo "find_package(boxplus $version) accepts this version" >&2
+    exit 1
+  fi
+done
+
 "$cmake" -S "$consumer" -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved" -DCMAKE_CXX_COMPILER="$compiler"
 "$cmake" --build "$work/build"
 "$work/build/consumer"

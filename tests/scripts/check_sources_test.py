@@ -31,6 +31,15 @@ class CheckSources(unittest.TestCase):
         done = subprocess.run([sys.executable, CHECKER], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
+    def test_a_deprecated_name_must_say_what_to_use(self):
+        self.assert_reported("include/boxplus/a.h", "[[deprecated]] void f();\n", 'expected [[deprecated("use …")]]')
+        self.assertEqual(check({"include/boxplus/a.h": '[[deprecated("use g()")]] void f();\n'}), (0, []))
+
+    def test_the_changelog_must_have_the_version(self):
+        files = {"CMakeLists.txt": "project(boxplus VERSION 1.2.0 LANGUAGES CXX)\n", "CHANGELOG.md": "\n## 1.1.0\n"}
+        self.assertEqual(check(files), (1, ["CHANGELOG.md:1: there is no section for version 1.2.0"]))
+        self.assertEqual(check({**files, "CHANGELOG.md": "\n## 1.2.0\n"}), (0, []))
+
     def test_each_way_to_print_exit_or_abort_is_reported(self):
         for statement, name in (("std::cout << x;", "std::cout"), ("std::cerr << x;", "std::cerr"), ("printf(x);", "printf"),
                                 ("std::puts(x);", "puts"), ("fmt::print(x);", "fmt::print"), ("perror (x);", "perror"),
