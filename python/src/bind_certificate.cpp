@@ -10,6 +10,7 @@
 #include "members.h"
 #include "options_object.h"
 #include "search.h"
+#include "shown_progress.h"
 #include "viewers_of_run.h"
 
 namespace boxplus::python {
@@ -35,6 +36,7 @@ Certificate certify_graph(GraphObject& graph, py::handle options, py::handle tol
                             .max_escapes = read_int(max_escapes, "max_escapes")};
   GraphObject::Run run(graph);
   const ViewersOfRun viewers(graph);
+  const ShownProgress progress("certifying");
   return Search(run, object).run(native.options, [&] {
     Certificate certificate = certify(run.graph(), native);
     viewers.update();

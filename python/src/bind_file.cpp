@@ -9,6 +9,7 @@
 #include "boxplus/io/file_format.h"
 #include "boxplus/io/graph_file.h"
 #include "convert.h"
+#include "shown_progress.h"
 
 namespace boxplus::python {
 namespace {
@@ -23,6 +24,7 @@ ReadOptions::Indefinite read_policy(const std::string& name) {
 std::shared_ptr<GraphObject> load(const std::filesystem::path& path, bool lenient,
                                   const std::string& information, int threads) {
   const ReadOptions::Indefinite indefinite = read_policy(information);
+  const ShownProgress progress("reading");
   const py::gil_scoped_release release;
   return std::make_shared<GraphObject>(
       read_graph(path.string(), {.lenient = lenient, .indefinite = indefinite, .threads = threads}));
@@ -65,6 +67,7 @@ void bind_file(py::module_& module, GraphClass& graph) {
               const std::string text = path.string() + ": the format does not keep " + loss;
               if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), 1) != 0) throw py::error_already_set();
             }
+            const ShownProgress progress("writing");
             write_graph(path.string(), self.file(), {.format = format});
           },
           py::arg("path"), py::kw_only(), py::arg("format") = "",

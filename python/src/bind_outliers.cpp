@@ -10,6 +10,7 @@
 #include "members.h"
 #include "options_object.h"
 #include "search.h"
+#include "shown_progress.h"
 #include "viewers_of_run.h"
 
 namespace boxplus::python {
@@ -37,6 +38,7 @@ OutlierReport find(GraphObject& graph, py::handle options, py::handle suspects, 
                         .window = read_int(window, "window")};
   GraphObject::Run run(graph);
   const ViewersOfRun viewers(graph);
+  const ShownProgress progress("finding outliers");
   return Search(run, object).run(native.options, [&] {
     OutlierReport found = find_outliers(run.graph(), native);
     viewers.show(found);

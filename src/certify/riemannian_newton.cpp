@@ -5,7 +5,10 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
+#include "boxplus/base/progress.h"
 #include "guess/nearest_rotation.h"
 
 namespace boxplus::certificate {
@@ -132,6 +135,8 @@ int RiemannianNewton::minimize(StackedPoses& poses, double tolerance, int max_st
   int steps = 0;
   for (; steps < max_steps; ++steps) {
     resources_.stop.check();
+    if (detail::is_watched())
+      detail::note_progress(std::numeric_limits<double>::quiet_NaN(), "step " + std::to_string(steps + 1));
     linearize(poses);
     for (bool accepted = false; !accepted;) {
       if (!find_step()) return dual_.update(poses), steps;

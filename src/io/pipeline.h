@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "boxplus/base/parallel.h"
+#include "boxplus/base/progress.h"
 
 namespace boxplus {
 
 /// Calls prepare(k, item) for k = 0 … count − 1 on any worker, and then consume(item) on the calling thread,
 /// in the order of k. Allocates only a few items per worker, and reuses them. `threads` is the maximum number
-/// of workers; 0 means one worker per hardware thread.
+/// of workers; 0 means one worker per hardware thread. Notes the progress.
 template <class Item, class Prepare, class Consume>
 void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Consume&& consume) {
   constexpr std::size_t kItemsPerWorker = 4;
@@ -31,6 +32,7 @@ void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Cons
       }
       for (std::size_t k = next++; k < coming_count; k = next++) prepare(first + k, coming[k]);
     });
+    detail::note_progress(static_cast<double>(std::min(first, count)) / static_cast<double>(count));
     ready.swap(coming);
     ready_count = coming_count;
   }

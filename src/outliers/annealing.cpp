@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "boxplus/base/progress.h"
 #include "boxplus/robust/default_width.h"
 #include "outliers/doubts.h"
 
@@ -144,7 +145,9 @@ void Annealing::anneal(double mu) {
   measure();
   const double ratio = largest_ratio();
   if (ratio <= 1) return;  // all edges fit
-  for (mu = std::max(mu, 1 / (2 * ratio - 1)); mu < kLargest && !was_stopped(); mu *= kFactor) {
+  const double first = std::max(mu, 1 / (2 * ratio - 1));
+  for (mu = first; mu < kLargest && !was_stopped(); mu *= kFactor) {
+    detail::note_progress(std::log(mu / first) / std::log(kLargest / first), "weighing the edges");
     const double change = change_weights(mu);
     if (!optimizer_ || change > kSmallChange * static_cast<double>(state_.edges.size())) run();
   }

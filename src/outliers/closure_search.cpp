@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "boxplus/base/progress.h"
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/default_width.h"
 #include "outliers/gaps.h"
@@ -213,9 +214,16 @@ void ClosureSearch::accept_in_stages() {
       added += add_certain(found, scale * std::exp2(2 * inflation));
     const bool is_certain = added > 0;
     if (!is_certain && !add_on_trial(deviations(kManyTrees))) return;
+    note_progress();
     optimize_briefly(kIterations);
     eject(is_certain ? 1 : kMostEjections);
   }
+}
+
+void ClosureSearch::note_progress() const {
+  if (!detail::is_watched()) return;
+  detail::note_progress(std::numeric_limits<double>::quiet_NaN(),
+                        fmt::format("{} of {} loop closures accepted", accepted_count(), accepted_.size()));
 }
 
 bool ClosureSearch::may_add(std::size_t closure) const {

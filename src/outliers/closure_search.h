@@ -45,6 +45,7 @@ class ClosureSearch {
   };
 
   bool is_supported(std::size_t closure) const { return cycles_.support[closure] >= options_.evidence; }
+  void note_progress() const;
   bool may_add(std::size_t closure) const;
   double group_bonus(std::size_t closure) const;
   void bridge_gaps();

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "boxplus/base/error.h"
+#include "boxplus/base/progress.h"
 #include "testing/bundle_scene.h"
 #include "testing/random_numbers.h"
 #include "testing/survey.h"
@@ -218,6 +219,7 @@ BundleSimulation simulate_bundle(BundleShape shape, const BundleOptions& options
   Track track;
   result.true_points.reserve(static_cast<std::size_t>(options.points));
   for (std::int64_t k = 0; k < options.points; ++k) {
+    detail::note_progress(static_cast<double>(k) / static_cast<double>(options.points));
     survey.find(static_cast<int>(k * options.cameras / options.points), random, track);
     builder.add_track(track);
   }

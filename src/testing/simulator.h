@@ -2,11 +2,13 @@
 // Fills a Simulation: adds noisy measurements of true poses and points to its graph.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <type_traits>
 #include <utility>
 
+#include "boxplus/base/progress.h"
 #include "boxplus/testing/simulate.h"
 #include "boxplus/types/between.h"
 #include "boxplus/types/slam2d/point_observation.h"
@@ -80,6 +82,7 @@ class Simulator {
       : random(options.seed),
         outlier_random_(~options.seed),
         outliers_(options.outliers),
+        expected_poses_(options.poses),
         noise_factor_(options.noise),
         deviation_(noise.deviations) {
     for (int i = 0; i < kDim; ++i)
@@ -89,6 +92,7 @@ class Simulator {
   /// Adds the next pose of the trajectory, and an odometry edge from the previous pose. If `has_edge` is
   /// false, the odometry is only used for the initial estimate.
   void drive_to(const Pose& truth, bool has_edge = true) {
+    detail::note_progress(std::min(1.0, size() / expected_poses_));
     if (!poses_.empty()) {
       const Between<Pose> edge = measure(truths_.back(), truth);
       const Pose guess = result_.graph.estimate(poses_.back()) * edge.measurement;
@@ -259,7 +263,7 @@ class Simulator {
   }
 
   RandomNumbers outlier_random_;
-  double outliers_;
+  double outliers_, expected_poses_;
   double noise_factor_;
   Vector<double, kDim> deviation_;
   std::array<double, kDim> information_;

@@ -287,6 +287,13 @@ class OptimizeTest(CommandCase):
         self.assertTrue(shown.endswith("\r\x1b[K"))
         self.assertEqual(self.on_a_terminal("optimize", TOWN, "--quiet"), "")
 
+    def test_on_a_terminal_long_work_shows_how_far_it_has_come(self):
+        words = "simulate", "ba", "--cameras", 2000, "--points", 500000, "-o", "/dev/null"
+        shown = self.on_a_terminal(*words)
+        self.assertRegex(shown, r"simulating …  \d+ %, \d+ s left")
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+        self.assertNotIn("simulating", run(*words).stderr)
+
     def start_endless(self, output):
         """Starts a long optimization, and waits for its first iteration."""
         words = [BOXPLUS, "optimize", self.simulated("sphere", 2500), "-o", output, "--json", self.path / "out.json",

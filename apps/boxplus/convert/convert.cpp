@@ -52,10 +52,10 @@ int convert_file(const ConvertArguments& arguments) {
   const std::vector<Output> outputs{graph_output("OUT", arguments.output, arguments.input)};
   if (arguments.format.empty()) require_writable_format(arguments.output);
   check_outputs(outputs);
-  GraphFile file = load_graph(arguments.input, arguments.reading);
+  GraphFile file = load_graph(arguments.input, arguments.reading, arguments.quiet);
   change_types(file, arguments.change);
   const std::size_t anonymized = arguments.anonymize ? anonymize(file) : 0;
-  save_graph(arguments.output, file, format_name(arguments.format));
+  save_graph(arguments.output, file, format_name(arguments.format), arguments.quiet);
   if (!arguments.quiet) {
     std::string text = summary(file);
     if (arguments.anonymize) text += ", " + counted(anonymized, "edge", "edges") + " anonymized";

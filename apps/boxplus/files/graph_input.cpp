@@ -17,6 +17,7 @@
 #include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
 #include "command_line/option_kinds.h"
+#include "command_line/progress.h"
 #include "files/outputs.h"
 
 namespace boxplus::app {
@@ -173,7 +174,9 @@ void add_reading_options(CLI::App& command, ReadOptions& options) {
       ->group("Reading");
 }
 
-GraphFile read_input(const std::string& path, const ReadOptions& options) {
+GraphFile read_input(const std::string& path, const ReadOptions& options, bool quiet) {
+  Progress progress(choose_progress(quiet, false));
+  progress.later(fmt::format("reading {} …", input_name(path)));
   if (path == kStandardStream) return parse_input(read_text(path), path, options);
   GraphFile file = read_graph(path, options);
   require_graph(file, path);
@@ -187,8 +190,8 @@ GraphFile parse_input(const std::string& text, const std::string& path, const Re
   return file;
 }
 
-GraphFile load_graph(const std::string& path, const ReadOptions& options) {
-  GraphFile file = read_input(path, options);
+GraphFile load_graph(const std::string& path, const ReadOptions& options, bool quiet) {
+  GraphFile file = read_input(path, options, quiet);
   print_notes(file, path);
   if (file.vertices_created) place_vertices(file.graph, path);
   return file;
@@ -222,8 +225,10 @@ void require_representable(const std::string& path, const GraphFile& file) {
   }
 }
 
-void save_graph(const std::string& path, const GraphFile& file, const std::string& format) {
+void save_graph(const std::string& path, const GraphFile& file, const std::string& format, bool quiet) {
   note_what_is_lost(path, file, format);
+  Progress progress(choose_progress(quiet, false));
+  progress.later(fmt::format("writing {} …", output_name(path)));
   if (path == kStandardStream) {
     write_output(path, format_graph(file, {.format = format}));
   } else {

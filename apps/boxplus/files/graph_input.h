@@ -22,16 +22,16 @@ std::string read_text(const std::string& path);
 /// Adds the options --lenient and --rename, which set `options`.
 void add_reading_options(CLI::App& command, ReadOptions& options);
 
-/// Reads a graph. Throws FileError if the file cannot be read. Throws InputError if the file is malformed, or
-/// if it has neither a vertex nor an edge.
-GraphFile read_input(const std::string& path, const ReadOptions& options = {});
+/// Reads a graph. If this takes a while, shows the progress, unless `quiet`. Throws FileError if the file
+/// cannot be read. Throws InputError if the file is malformed, or if it has neither a vertex nor an edge.
+GraphFile read_input(const std::string& path, const ReadOptions& options = {}, bool quiet = false);
 /// Like read_input(), but parses `text`, which read_text() returned for this path. A folder is read from
 /// `path`. Messages contain `path`.
 GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options);
 
 /// Reads a graph and prints the notes about the file. If the file has edges only, also computes initial
 /// estimates.
-GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
+GraphFile load_graph(const std::string& path, const ReadOptions& options = {}, bool quiet = false);
 /// Prints one message per note. If there are many notes, prints only the first ones and the number of all
 /// others.
 void print_notes(const GraphFile& file, const std::string& path);
@@ -42,7 +42,9 @@ void print_notes(const std::vector<GraphFile::Note>& notes, const std::string& p
 void require_representable(const std::string& path, const GraphFile& file);
 /// Writes a graph in the format with the given name (FileFormat) or, if it is empty, in the format of the
 /// extension of `path`. Without such a format, and to standard output, writes the format of the file from
-/// which the graph was read, or .g2o. Throws FileError if this fails.
-void save_graph(const std::string& path, const GraphFile& file, const std::string& format = {});
+/// which the graph was read, or .g2o. If this takes a while, shows the progress, unless `quiet`. Throws
+/// FileError if this fails.
+void save_graph(const std::string& path, const GraphFile& file, const std::string& format = {},
+                bool quiet = false);
 
 }  // namespace boxplus::app

@@ -19,7 +19,7 @@
 #include "optimize/optimize_report.h"
 #include "optimize/optimize_run.h"
 #include "optimize/outlier_search.h"
-#include "optimize/progress.h"
+#include "command_line/progress.h"
 #include "optimize/report_json.h"
 #include "settings/setting_table.h"
 #include "view/live_view.h"
@@ -73,7 +73,7 @@ void certify_result(Graph& graph, const OptimizeArguments& arguments, const Repo
 /// is lost, unless the user wants to know by the exit code: then returns the error.
 std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFile& file, RunFacts& facts) {
   try {
-    save_graph(arguments.output, file);
+    save_graph(arguments.output, file, {}, arguments.quiet);
     facts.output = arguments.output;
     return nullptr;
   } catch (const InvalidArgument& error) {
@@ -83,7 +83,7 @@ std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFi
     while (name.ends_with('/')) name.pop_back();
     name += ".json";
     try {
-      save_graph(name, file);
+      save_graph(name, file, {}, arguments.quiet);
     } catch (const InvalidArgument&) {
       return refusal;
     }
@@ -102,7 +102,7 @@ int optimize_file(const OptimizeArguments& arguments) {
   progress.stage(fmt::format("reading {} …", input_name(arguments.input)));
   ReadOptions reading = arguments.reading;
   reading.threads = arguments.options.threads;
-  GraphFile file = read_input(arguments.input, reading);
+  GraphFile file = read_input(arguments.input, reading, true);
   progress.erase();
   print_notes(file, arguments.input);
   require_edges(file, arguments.input);

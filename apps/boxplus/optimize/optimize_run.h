@@ -5,7 +5,7 @@
 #include "boxplus/certify/certificate.h"
 #include "boxplus/outliers/outliers.h"
 #include "optimize/optimize_options.h"
-#include "optimize/progress.h"
+#include "command_line/progress.h"
 #include "settings/run_settings.h"
 #include "view/live_view.h"
 

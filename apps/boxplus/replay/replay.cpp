@@ -204,7 +204,7 @@ int replay_file(const ReplayArguments& arguments) {
   for (const Output& output : {outputs[1], outputs[2], outputs[3]})
     refuse_to_replace(output, {arguments.input});
   check_outputs(outputs);
-  GraphFile file = read_input(arguments.input, arguments.reading);
+  GraphFile file = read_input(arguments.input, arguments.reading, arguments.quiet);
   print_notes(file, arguments.input);
   if (!arguments.output.empty()) require_representable(arguments.output, file);
   Replay replay(file.graph, arguments.options);
@@ -218,7 +218,7 @@ int replay_file(const ReplayArguments& arguments) {
   if (!arguments.json.empty()) write_output(arguments.json, json_of(arguments, replay, outcome));
   if (!arguments.times.empty()) write_output(arguments.times, csv_of(replay.seconds()));
   if (!arguments.plot.empty()) write_output(arguments.plot, chart_of(arguments, replay, outcome));
-  if (!arguments.output.empty()) save_graph(arguments.output, file);
+  if (!arguments.output.empty()) save_graph(arguments.output, file, {}, arguments.quiet);
   if (!arguments.quiet) print_summary(outputs, summary(arguments, replay, outcome));
   const bool is_whole = outcome.last.converged() && replay.done() == replay.steps();
   const int code = !outcome.last.message.empty() ? kNumericalFailure : is_whole ? kSuccess : kNotConverged;

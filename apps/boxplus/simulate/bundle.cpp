@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "command_line/option_kinds.h"
+#include "command_line/progress.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 
@@ -83,7 +84,10 @@ int simulate_bundle_file(const BundleArguments& arguments, const std::string& ou
                          const std::string& truth) {
   const std::vector<Output> outputs{graph_output("--output", output, {}), graph_output("--truth", truth, {})};
   check_outputs(outputs);
+  Progress progress(choose_progress(false, false));
+  progress.later("simulating …");
   BundleSimulation simulation = simulate_bundle(arguments.shape, arguments.options);
+  progress.erase();
   std::string line = summary(output, simulation);
   GraphFile file;
   file.format = "BAL";

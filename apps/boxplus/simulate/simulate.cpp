@@ -13,6 +13,7 @@
 #include "boxplus/base/error.h"
 #include "command.h"
 #include "command_line/option_kinds.h"
+#include "command_line/progress.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "simulate/bundle.h"
@@ -82,6 +83,8 @@ bool observes_landmarks(const SceneChoice& scene) {
 }
 
 Simulation simulated(const SimulateArguments& arguments) {
+  Progress progress(choose_progress(false, false));
+  progress.later("simulating …");
   if (const World* world = std::get_if<World>(&arguments.scene)) return simulate(*world, arguments.options);
   const bool in_space = arguments.scene == SceneChoice(Special::kRobotInSpace);
   return simulate_robot_world(in_space, arguments.robot, arguments.options);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimize/progress.h"
+#include "command_line/progress.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "command_line/message.h"
@@ -38,8 +39,39 @@ ProgressKind choose_progress(bool quiet, bool verbose) {
   return !quiet && ::isatty(STDERR_FILENO) == 1 ? ProgressKind::kLive : ProgressKind::kNone;
 }
 
+Progress::Progress(ProgressKind kind) : kind_(kind) {
+  if (kind == ProgressKind::kLive)
+    watch_.emplace([this](std::string_view what, double share) { watch(what, share); });
+}
+
 void Progress::stage(const std::string& text) {
-  if (kind_ == ProgressKind::kLive) rewrite(escaped(text));
+  later(text);
+  if (kind_ == ProgressKind::kLive) rewrite(stage_);
+}
+
+void Progress::later(const std::string& text) {
+  if (kind_ != ProgressKind::kLive) return;
+  stage_ = escaped(text);
+  begin_ = Clock::now();
+  constexpr auto kPatience = std::chrono::milliseconds(500);
+  next_ = begin_ + kPatience;
+}
+
+/// Shows how far the stage has come, some times a second.
+void Progress::watch(std::string_view what, double share) {
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  constexpr auto kPause = std::chrono::milliseconds(100);
+  next_ = now + kPause;
+  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  std::string text = stage_;
+  if (!what.empty()) text += fmt::format("  {}", what);
+  if (share > 0) {
+    text += fmt::format("  {:.0f} %, {:.0f} s left", 100 * share, std::ceil(seconds * (1 / share - 1)));
+  } else {
+    text += fmt::format("  {:.0f} s", seconds);
+  }
+  rewrite(text);
 }
 
 void Progress::iteration(const IterationRecord& record) {
