@@ -14,6 +14,13 @@
 #include "linear/expect_solution.h"
 #include "optimize/small_graphs.h"
 
+#ifdef BOXPLUS_SANITIZED
+/// MPI does not free all of its memory.
+extern "C" const char* __asan_default_options() {
+  return "detect_leaks=0";
+}
+#endif
+
 namespace boxplus {
 namespace {
 
@@ -164,8 +171,7 @@ TEST_P(PetscMethod, ReachesTheOptimumOfTheOwnSolver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfPetsc, PetscMethod,
-                         ::testing::Values("", kMumps, kJacobiCg,
-                                           "-ksp_type cg -mat_type aij -pc_type jacobi",
+                         ::testing::Values(kMumps, kJacobiCg, "-ksp_type cg -mat_type aij -pc_type jacobi",
                                            "-ksp_type preonly -pc_factor_mat_solver_type petsc",
                                            "-ksp_type gmres -pc_type ilu", "-pc_type icc"),
                          [](const auto& one) { return "Options" + std::to_string(one.index); });
