@@ -110,6 +110,7 @@ bool is_running() {
 }
 
 Calls::Calls(PetscOptions options) : alone_(petsc_mutex()), options_(options) {
+  if (!is_running()) throw Error("PETSc cannot be called, because the program has already ended it, or MPI");
   (void)PetscPushErrorHandler(take_message, this);
   if (options_ != nullptr) (void)PetscOptionsPush(options_);
 }

@@ -20,6 +20,7 @@ bool is_running();
 /// options, and prints no errors.
 class Calls {
  public:
+  /// Throws Error if the program has ended PETSc or MPI.
   explicit Calls(PetscOptions options);
   ~Calls();
   Calls(const Calls&) = delete;

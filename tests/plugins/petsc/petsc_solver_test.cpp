@@ -3,8 +3,10 @@
 // own solvers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mpi.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <thread>
 
@@ -336,6 +338,42 @@ TEST(PetscSolver, ServesSeveralThreadsAndOptionsAtOnce) {
       for (int i = 0; i < 5; ++i) expect_solution(a, solve(system, options, b), b);
     });
   for (std::thread& thread : threads) thread.join();
+}
+
+/// Whether a new solver solves a system, or throws because PETSc cannot be called.
+bool can_solve() {
+  try {
+    TestSystem system = grid_system();
+    const Eigen::MatrixXd b = right_hand_sides(system, 1);
+    return (system.dense() * solve(system, kMumps, b) - b).norm() < 1e-9;
+  } catch (const InvalidArgument&) {
+    throw;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// Death tests, because each needs a process of its own.
+TEST(PetscDeathTest, ServesAProgramThatStartsAndEndsMpiItself) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto program = [] {
+    MPI_Init(nullptr, nullptr);
+    const bool can_before = can_solve();
+    MPI_Finalize();
+    std::exit(can_before && !can_solve() ? 7 : 1);
+  };
+  EXPECT_EXIT(program(), ::testing::ExitedWithCode(7), "^$");
+}
+
+TEST(PetscDeathTest, MayOutliveMainAndPrintsNothing) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto program = [] {
+    static std::unique_ptr<LinearSolver> late = make_petsc_solver();
+    const TestSystem system = grid_system();
+    late->analyze(system.structure, {});
+    std::exit(late->factorize(system.view(), {}).status == LinearStatus::kOk ? 7 : 1);
+  };
+  EXPECT_EXIT(program(), ::testing::ExitedWithCode(7), "^$");
 }
 
 TEST(PetscSolver, OfNothingIsDone) {
