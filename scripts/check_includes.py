@@ -62,7 +62,7 @@ MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWE
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
 # Programs may include all folders. Examples, which users copy, fuzz targets and the Python module must not include
 # private headers.
-PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "python", "tests", "viewer")
+PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "plugins", "python", "tests", "viewer")
 PUBLIC_ONLY = ("examples", "fuzz", "python")
 for folder in set(PROGRAMS) - set(ALLOWED):
     MAY_INCLUDE[folder] = {*ALLOWED, "boxplus.h", *PROGRAMS}
@@ -81,7 +81,8 @@ CIRCLES = {
         "Every pool of these edges must find the kernels in the library, which are declared for these edges.",
 }
 
-SEARCHED = ("include", "src", "g2o/include", "g2o/src", "apps/boxplus", "apps/g2o_programs")
+SEARCHED = ("include", "src", "g2o/include", "g2o/src", "plugins/petsc/include", "plugins/petsc/src", "apps/boxplus",
+            "apps/g2o_programs")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 BEFORE_UNIT = re.compile(r"(?:include/boxplus|src|(g2o/)(?:include/g2o|src))/")
 

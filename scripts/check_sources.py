@@ -19,7 +19,7 @@ import sys
 LICENSE = "SPDX-License-Identifier: BSD-3-Clause"
 
 # The sources of the library.
-QUIET = ("include", "src", "viewer", "python/src")
+QUIET = ("include", "src", "viewer", "plugins", "python/src")
 
 # Folders, and the libraries that they may include besides those of the C++ standard and of POSIX. AMD and CAMD are the
 # parts of SuiteSparse under the BSD license.
@@ -28,6 +28,7 @@ MAY_INCLUDE = {
     "include": EIGEN,
     "src": (*EIGEN, "fmt/", "fast_float/", "zlib.h", "amd.h", "camd.h"),
     "viewer": (*EIGEN, "fmt/", "httplib.h", "nlohmann/"),
+    "plugins/petsc": ("mpi.h", "petscksp.h", "petscmat.h", "petscsys.h"),
     "python/src": (*EIGEN, "pybind11/"),
     "apps": (*EIGEN, "fmt/", "CLI/", "nlohmann/", "cairo.h", "cairo-pdf.h", "zlib.h"),
     "g2o/include": (*EIGEN, *OPENGL),

@@ -13,8 +13,9 @@
 
 namespace boxplus::python {
 
-/// While this object exists, a line on Python's stderr shows how far calls on this thread have come, if stderr
-/// is a terminal (boxplus/_progress.py). Make and destroy it with Python's lock (GIL), and call without it.
+/// While this object exists, a line on Python's stderr shows how far calls on this thread have come, if
+/// stderr is a terminal (boxplus/_progress.py). Make and destroy it with Python's lock (GIL), and call
+/// without it.
 class ShownProgress {
  public:
   explicit ShownProgress(const char* what) {

@@ -2,7 +2,7 @@
 #include "algorithm/dogleg.h"
 
 #include "algorithm/outcome.h"
-#include "base/vector_math.h"
+#include "system/whole_vector.h"
 
 namespace boxplus {
 namespace {
@@ -18,16 +18,16 @@ void Dogleg::reset(const Options& options, std::size_t scalars) {
   for (auto* vector : {&scale_, &newton_, &cauchy_, &step_}) vector->resize(scalars);
 }
 
-double Dogleg::norm(const std::vector<double>& step) const {
+double Dogleg::norm(const System& system, const std::vector<double>& step) const {
   double sum = 0;
   for (std::size_t i = 0; i < step.size(); ++i) sum += scale_[i] * step[i] * step[i];
-  return std::sqrt(sum);
+  return std::sqrt(system.sum(sum));
 }
 
 /// Sets D to the scale of the system, with a lower limit above zero.
 void Dogleg::scale_from(const System& system) {
   const auto scale = system.scale();
-  const double floor = std::max(1e-12 * max_abs(scale), 1e-300);
+  const double floor = std::max(1e-12 * max_abs(system, scale), 1e-300);
   for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(scale[i], floor);
 }
 
@@ -43,7 +43,7 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
     const StepResult solved = system.solve({regularization_, Options::DampingScale::kDiagonal}, newton_);
     record.linear_iterations += solved.linear_iterations;
     newton_is_exact_ = solved.exact;
-    if (solved.status == LinearStatus::kOk && all_finite(newton_)) {
+    if (solved.status == LinearStatus::kOk && !any(system, !all_finite(newton_))) {
       regularized_steps_ += regularization_ > 0;
       return LinearStatus::kOk;
     }
@@ -57,8 +57,8 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
 /// dᵀHd of the Gauss-Newton step d. If the step is exact, uses (H + λD) d = −g to save a product with H.
 double Dogleg::curvature_of_newton(System& system) const {
   if (!newton_is_exact_) return system.curvature(newton_);
-  const double damped = norm(newton_);
-  return -dot(system.gradient(), newton_) - regularization_ * damped * damped;
+  const double damped = norm(system, newton_);
+  return -dot(system, system.gradient(), newton_) - regularization_ * damped * damped;
 }
 
 /// Computes the Cauchy step, which leads to the minimum of the model along −D⁻¹g. If bounds shorten some of
@@ -71,19 +71,21 @@ void Dogleg::find_cauchy_step(System& system) {
     cauchy_[i] = -gradient[i] / scale_[i];
     slope += gradient[i] * cauchy_[i];
   }
+  slope = system.sum(slope);
   const double curvature = system.curvature(cauchy_);
   const double length = curvature > 0 ? -slope / curvature : 1;
   for (double& v : cauchy_) v *= length;
-  if (system.clip(cauchy_)) {
-    const double clipped_slope = dot(gradient, cauchy_), clipped_curvature = system.curvature(cauchy_);
+  if (any(system, system.clip(cauchy_))) {
+    const double clipped_slope = dot(system, gradient, cauchy_),
+                 clipped_curvature = system.curvature(cauchy_);
     const double fraction = clipped_curvature > -clipped_slope ? -clipped_slope / clipped_curvature : 1;
     for (double& v : cauchy_) v *= fraction;
   }
-  cauchy_norm_ = norm(cauchy_);
+  cauchy_norm_ = norm(system, cauchy_);
 }
 
 /// Sets step_ to the point of the dogleg path at the distance radius_, or to its end if the path is shorter.
-void Dogleg::blend() {
+void Dogleg::blend(const System& system) {
   if (newton_norm_ <= radius_) {
     step_ = newton_;
     return;
@@ -100,6 +102,8 @@ void Dogleg::blend() {
     a += scale_[i] * difference * difference;
     b += scale_[i] * cauchy_[i] * difference;
   }
+  a = system.sum(a);
+  b = system.sum(b);
   const double c = radius_ * radius_ - cauchy_norm_ * cauchy_norm_;
   const double root = std::sqrt(b * b + a * c);
   const double beta = b > 0 ? c / (b + root) : (root - b) / a;
@@ -109,9 +113,9 @@ void Dogleg::blend() {
 /// Sets step_ to the longest dogleg step within the radius. Returns its predicted decrease.
 double Dogleg::find_step(System& system) {
   if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
-  blend();
+  blend(system);
   const double curvature = newton_norm_ <= radius_ ? newton_curvature_ : system.curvature(step_);
-  return model_decrease(system.gradient(), step_, curvature);
+  return model_decrease(system, step_, curvature);
 }
 
 /// Like find_step(), but grows the radius until the predicted decrease is larger than a rounding error.
@@ -141,7 +145,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   scale_from(system);
   const LinearStatus solved = solve_gauss_newton(system, record);
   if (solved != LinearStatus::kOk) return outcome_of(solved);
-  newton_norm_ = norm(newton_);
+  newton_norm_ = norm(system, newton_);
   newton_curvature_ = curvature_of_newton(system);
   have_cauchy_ = false;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
@@ -149,11 +153,11 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     const bool cut_short = newton_norm_ > radius_;
     record.radius = radius_;
     record.predicted_decrease = predicted;
-    record.step_max = max_abs(step_);
+    record.step_max = max_abs(system, step_);
     record.chi2 = system.try_step(step_);
     record.chi2_decrease = chi2 - record.chi2;
     const double gain = record.chi2_decrease / predicted;
-    update_radius(gain, norm(step_));
+    update_radius(gain, norm(system, step_));
     if (record.chi2_decrease > 0 && gain > 0) {
       system.accept();
       return cut_short ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
@@ -165,7 +169,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     if (!cut_short && is_rough(system, step_, predicted, chi2)) return IterationOutcome::kNoFurtherDecrease;
     if (predicted <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
   }
-  const double newton_decrease = model_decrease(system.gradient(), newton_, system.curvature(newton_));
+  const double newton_decrease = model_decrease(system, newton_, system.curvature(newton_));
   return outcome_without_decrease(system, newton_, newton_decrease, chi2);
 }
 

@@ -26,8 +26,8 @@ class Dogleg final : public Algorithm {
   double find_step(System& system);
   double find_first_step(System& system, double chi2);
   void scale_from(const System& system);
-  double norm(const std::vector<double>& step) const;
-  void blend();
+  double norm(const System& system, const std::vector<double>& step) const;
+  void blend(const System& system);
   void update_radius(double gain, double step_norm);
 
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();

@@ -3,7 +3,7 @@
 
 #include "algorithm/outcome.h"
 #include "algorithm/roughness.h"
-#include "base/vector_math.h"
+#include "system/whole_vector.h"
 
 namespace boxplus {
 
@@ -18,10 +18,9 @@ IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationReco
   record.linear_iterations = solved.linear_iterations;
   if (solved.status != LinearStatus::kOk) return outcome_of(solved.status);
   record.tries = 1;
-  record.step_max = max_abs(step_);
-  record.predicted_decrease = solved.exact
-                                  ? -dot(system.gradient(), step_)  // because H δ = −g
-                                  : model_decrease(system.gradient(), step_, system.curvature(step_));
+  record.step_max = max_abs(system, step_);
+  record.predicted_decrease = solved.exact ? -dot(system, system.gradient(), step_)  // because H δ = −g
+                                           : model_decrease(system, step_, system.curvature(step_));
   record.chi2 = system.try_step(step_);
   record.chi2_decrease = chi2 - record.chi2;
   if (!std::isfinite(record.chi2)) {

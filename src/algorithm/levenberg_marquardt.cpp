@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "algorithm/outcome.h"
-#include "base/vector_math.h"
+#include "system/whole_vector.h"
 
 namespace boxplus {
 namespace {
@@ -31,7 +31,7 @@ void LevenbergMarquardt::reset(const Options& options, std::size_t scalars) {
 
 double LevenbergMarquardt::default_damping(const System& system) const {
   const double unit =
-      scale_ == Options::DampingScale::kIdentity ? std::max(max_abs(system.diagonal()), 1e-300) : 1;
+      scale_ == Options::DampingScale::kIdentity ? std::max(max_abs(system, system.diagonal()), 1e-300) : 1;
   return kInitialDamping * unit;
 }
 
@@ -47,11 +47,11 @@ void LevenbergMarquardt::raise_damping() {
 
 /// λ δᵀDδ of the step δ.
 double LevenbergMarquardt::damping_of_step(const System& system, double lambda) const {
-  if (scale_ == Options::DampingScale::kIdentity) return lambda * dot(step_, step_);
+  if (scale_ == Options::DampingScale::kIdentity) return lambda * dot(system, step_, step_);
   const auto scale = system.scale();
   double sum = 0;
   for (std::size_t i = 0; i < step_.size(); ++i) sum += scale[i] * step_[i] * step_[i];
-  return lambda * sum;
+  return lambda * system.sum(sum);
 }
 
 /// Computes the step δ with (H + λD) δ = −g. Its curvature is δᵀ(H + λD)δ = −gᵀδ. If λD contributes more than
@@ -61,10 +61,10 @@ LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, Iterat
   const StepResult solved = system.solve({lambda, scale_}, step_);
   record.linear_iterations += solved.linear_iterations;
   if (solved.status != LinearStatus::kOk) return solved.status;
-  const double curvature = solved.exact ? -dot(system.gradient(), step_) - damping_of_step(system, lambda)
-                                        : system.curvature(step_);
-  predicted_ = model_decrease(system.gradient(), step_, curvature);
-  cut_short_ = curvature < -dot(system.gradient(), step_) / 2;
+  const double slope = dot(system, system.gradient(), step_);
+  const double curvature = solved.exact ? -slope - damping_of_step(system, lambda) : system.curvature(step_);
+  predicted_ = -(2 * slope + curvature);
+  cut_short_ = curvature < -slope / 2;
   return LinearStatus::kOk;
 }
 
@@ -104,7 +104,7 @@ double LevenbergMarquardt::damping_factor(double gain, bool at_once) {
 /// If the step lowers chi2, takes it, updates the damping, and returns true. Otherwise, takes no step and
 /// returns false.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
-  record.step_max = max_abs(step_);
+  record.step_max = max_abs(system, step_);
   record.predicted_decrease = predicted_;
   record.chi2 = system.try_step(step_);
   record.chi2_decrease = chi2 - record.chi2;

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "algorithm/levenberg_marquardt.h"
-#include "base/vector_math.h"
 #include "optimize/edge_counts.h"
 #include "optimize/flat_directions.h"
 #include "optimize/significance.h"
+#include "system/whole_vector.h"
 
 namespace boxplus {
 namespace {
@@ -82,8 +82,8 @@ Descent::Descent(Graph& graph, RunSystem& system, Algorithm& algorithm, const Op
       stop_(stop),
       clock_(clock),
       records_(records),
-      degrees_of_freedom_(static_cast<double>(count_edges(graph, system.plan()).rows) -
-                          system.plan().free_scalars()) {}
+      degrees_of_freedom_(system.sum(static_cast<double>(count_edges(graph, system.plan()).rows) -
+                                     system.plan().free_scalars())) {}
 
 RunResult Descent::run(double chi2) {
   return run_while([](const IterationRecord&) { return true; }, chi2);
@@ -163,11 +163,12 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
   system_.forget_scale();
   ended_short_ = false;
   RunResult result = iterate_to_end(wanted, chi2);
-  if (result.status == Report::Status::kConverged && is_above(chi2, result.chi2, system_.gradient().size())) {
+  if (result.status == Report::Status::kConverged && is_above(chi2, result.chi2, unknowns())) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRaisedChi2;
   }
-  has_lost_influence_ = has_lost_influence_ || !std::ranges::equal(system_.diagonal(), system_.scale());
+  const bool loses_influence = any(system_, !std::ranges::equal(system_.diagonal(), system_.scale()));
+  has_lost_influence_ = has_lost_influence_ || loses_influence;
   iterations_ += result.iterations;
   regularized_steps_ += algorithm_->regularized_steps();
   return result;
@@ -175,9 +176,10 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
 
 RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
-  Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());
+  Significance significance(options_.noise_tolerance, degrees_of_freedom_,
+                            system_.sum(system_.plan().free_scalars()));
   for (int iteration = 0;; ++iteration) {
-    if (stop().raised()) return {Report::Status::kNotConverged, reason_of(stop()), chi2, iteration};
+    if (is_stopped()) return {Report::Status::kNotConverged, reason_of(stop()), chi2, iteration};
     if (iteration >= most)
       return {Report::Status::kNotConverged, Report::Reason::kMaxIterations, chi2, iteration};
     IterationRecord record;
@@ -187,25 +189,25 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
     system_.trial().order().expect_no_trial("Algorithm::iterate");
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
-    const std::size_t unknowns = system_.gradient().size();
-    if (outcome == IterationOutcome::kNoStepFound && chi2 <= kExact * static_cast<double>(unknowns))
+    if (outcome == IterationOutcome::kNoStepFound && chi2 <= kExact * static_cast<double>(unknowns()))
       return {Report::Status::kConverged, Report::Reason::kNoFurtherDecrease, chi2, iteration};
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop(), chi2, iteration);
     stop_.apply_limit();
     system_.set_stop(stop());
     system_.trial().describe_step(chi2, record);
-    record.gradient_max = max_abs(system_.gradient());
+    record.step_max = system_.max(record.step_max);
+    record.gradient_max = max_abs(system_, system_.gradient());
     record.time_s = clock_.seconds();
     records_.push_back(record);
     const double before = chi2;
     chi2 = record.chi2;
     const double variance = std::min(before, chi2) / std::max(1.0, degrees_of_freedom_);
-    const double step = system_.trial().step_in_deviations() / std::sqrt(variance);
-    const bool goes_on = call_back(record) && wanted(record);
+    const double step = system_.max(system_.trial().step_in_deviations()) / std::sqrt(variance);
+    const bool goes_on = !any(system_, !(call_back(record) && wanted(record)));
     const bool changes_bounds = system_.changes_bounds();
     ended_short_ = cut_short;
     if (const auto reason =
-            convergence(options_, record, before, step, unknowns, cut_short || changes_bounds))
+            convergence(options_, record, before, step, unknowns(), cut_short || changes_bounds))
       return {Report::Status::kConverged, *reason, chi2, iteration + 1};
     if (significance.is_lost(record) && !changes_bounds)
       return {Report::Status::kConverged, Report::Reason::kCostTolerance, chi2, iteration + 1};

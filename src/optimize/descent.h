@@ -75,7 +75,9 @@ class Descent {
   RunResult run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
 
   /// Whether iterations are left and nothing has stopped the runs.
-  bool may_go_on() const { return iterations_left() > 0 && !stop().raised(); }
+  bool may_go_on() const { return iterations_left() > 0 && !is_stopped(); }
+  /// Whether the token is raised in any of the processes that share the problem.
+  bool is_stopped() const { return system_.max(stop().raised() ? 1 : 0) > 0; }
   int iterations_left() const { return options_.max_iterations - left_out_ - iterations_ + uncounted_; }
   /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
@@ -100,6 +102,10 @@ class Descent {
   const Options& algorithm_options() const { return changed_ ? *changed_ : options_; }
   RunResult iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
+  /// The number of unknowns of all processes that share the problem.
+  std::size_t unknowns() const {
+    return static_cast<std::size_t>(system_.sum(static_cast<double>(system_.gradient().size())));
+  }
 
   Graph& graph_;
   RunSystem& system_;

@@ -66,7 +66,8 @@ TEST(ProgressWatch, OfThisThreadIsToldTheNewestFirst) {
 
 TEST(ProgressWatch, SeesHowFarReadingWritingAndSimulatingHaveCome) {
   Simulation simulation;
-  expect_shares_that_grow(notes_of([&] { simulation = simulate(World::kManhattan, {.poses = 20000}); }), 20000);
+  expect_shares_that_grow(notes_of([&] { simulation = simulate(World::kManhattan, {.poses = 20000}); }),
+                          20000);
   GraphFile file;
   file.graph = std::move(simulation.graph);
   std::string text;

@@ -29,6 +29,7 @@ done
 "$cmake" --build "$work/build"
 "$work/build/consumer"
 if [[ -x "$work/moved/bin/boxplus" ]]; then "$work/build/viewer_consumer"; fi
+if [[ -e "$work/build/petsc_consumer" ]]; then "$work/build/petsc_consumer"; fi
 
 # The installed programs start, although their folder was moved.
 for program in "$work"/moved/bin/*; do

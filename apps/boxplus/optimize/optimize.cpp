@@ -12,6 +12,7 @@
 #include "boxplus/base/error.h"
 #include "command.h"
 #include "command_line/message.h"
+#include "command_line/progress.h"
 #include "files/graph_input.h"
 #include "files/interrupt.h"
 #include "files/outputs.h"
@@ -19,7 +20,7 @@
 #include "optimize/optimize_report.h"
 #include "optimize/optimize_run.h"
 #include "optimize/outlier_search.h"
-#include "command_line/progress.h"
+#include "optimize/petsc_plugin.h"
 #include "optimize/report_json.h"
 #include "settings/setting_table.h"
 #include "view/live_view.h"
@@ -93,8 +94,9 @@ std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFi
   }
 }
 
-int optimize_file(const OptimizeArguments& arguments) {
+int optimize_file(OptimizeArguments arguments) {
   check_outputs(outputs_of(arguments));
+  if (arguments.petsc) arguments.options.custom_linear_solver = load_petsc_solver(*arguments.petsc);
   refuse_to_replace({"--json", arguments.json}, {arguments.input});
   refuse_to_replace({"--write-outliers", arguments.outlier_list}, {arguments.input});
   const auto begin = Clock::now();

@@ -156,6 +156,19 @@ void add_view_options(CLI::App& command, OptimizeArguments& arguments) {
   add_serving_options(command, arguments, view);
 }
 
+void add_petsc_option(CLI::App& command, OptimizeArguments& arguments) {
+  CLI::Option* petsc =
+      command
+          .add_option("--petsc", arguments.petsc,
+                      "Solve the linear systems with PETSc and these options of it, such as \"-ksp_type cg "
+                      "-pc_type pbjacobi\"; if they are empty, with the Cholesky factorization of MUMPS. "
+                      "Needs a plug-in (see docs/solving.md)")
+          ->type_name("OPTIONS")
+          ->group("Method");
+  for (const char* other : {"--solver", "--precision", "--outliers", "--certify"})
+    petsc->excludes(command.get_option(other));
+}
+
 void add_certify_option(CLI::App& command, OptimizeArguments& arguments) {
   CLI::Option* certify =
       command.add_flag("--certify", arguments.certify,
@@ -199,6 +212,7 @@ void add_optimize_options(CLI::App& command, OptimizeArguments& arguments) {
   add_view_options(command, arguments);
   add_outlier_options(command, arguments);
   add_certify_option(command, arguments);
+  add_petsc_option(command, arguments);
   add_reading_options(command, arguments.reading);
 }
 

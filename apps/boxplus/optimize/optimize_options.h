@@ -34,6 +34,7 @@ struct OptimizeArguments : RunSettings, ServingArguments {
   bool remove_outliers = false;      ///< leave the outliers out of the output
   bool strict_output = false;        ///< refuse to write another format than that of the output
   bool certify = false;              ///< decide whether the minimum is global
+  std::optional<std::string> petsc;  ///< the options of PETSc, which then solves the linear systems
   ReadOptions reading;
   std::vector<IdRange> fixed, moving;
   std::vector<BundlePart> held, freed;  ///< of bundle adjustment

@@ -4,8 +4,8 @@
 
 #include "boxplus/certify/certificate.h"
 #include "boxplus/outliers/outliers.h"
-#include "optimize/optimize_options.h"
 #include "command_line/progress.h"
+#include "optimize/optimize_options.h"
 #include "settings/run_settings.h"
 #include "view/live_view.h"
 

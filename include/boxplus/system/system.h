@@ -67,6 +67,17 @@ class System {
   virtual double try_step(std::span<const double> step) = 0;
   virtual void accept() = 0;
   virtual void reject() = 0;
+
+  // ---- Several processes ----
+  //
+  // If processes share a problem, each has a System with its own entries of all vectors, calls the same
+  // functions in the same order, and gets the same results, except for the entries. So an algorithm must pass
+  // every sum and every maximum over the entries of a vector to these functions, and decide by their results.
+
+  /// The sum of what the processes pass, in an order that does not change.
+  virtual double sum(double of_entries) const { return of_entries; }
+  /// The largest value that a process passes. If one is NaN, so may be the result, but of all processes.
+  virtual double max(double of_entries) const { return of_entries; }
 };
 
 }  // namespace boxplus
