@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "base/symmetric_eigen.h"
 #include "boxplus/base/error.h"
 
 namespace boxplus {
@@ -77,14 +78,120 @@ void LiveProblem::apply(const detail::ChangeLog& log) {
   for (const EdgeRef& edge : log.edges) drop_stale_edge(edge);
   again_.clear();
   for (const VertexRef& vertex : log.vertices) apply_vertex(vertex);
+  if (!left_out_.empty()) {
+    for (const EdgeRef& edge : log.edges) take_in(edge);
+    std::erase_if(left_out_, [&](VertexRef vertex) { return !graph_.contains(vertex); });
+  }
   for (const EdgeRef& edge : log.edges) apply_edge(edge);
   for (const EdgeRef& edge : again_) apply_edge(edge);
+  leave_out_with_few_rows();
+}
+
+/// Leaves out those of the new blocks, and of those that have lost an edge, whose edges have too few rows. If
+/// an edge is about no other block, it counts, and the directions that are missing are held (hold()).
+void LiveProblem::leave_out_with_few_rows() {
+  std::vector<Index> blocks;
+  for (const Index block : std::exchange(with_fewer_rows_, {})) {
+    const VertexRef vertex = vertex_of_[block];
+    if (vertices_[vertex.pool][vertex.slot].block != block || factor_.terms_of(block).empty()) continue;
+    int missing = static_cast<int>(factor_.dim(block) - factor_.held_scalars(block).size());
+    for (const Index term : factor_.terms_of(block)) {
+      const EdgeName name = edge_of_[term];
+      missing -= graph_.edge_pools()[name.pool]->shape(name.slot).rows;
+      if (missing <= 0 || factor_.blocks_of(term).size() == 1) {
+        missing = 0;
+        break;
+      }
+    }
+    if (missing > 0) blocks.push_back(block);
+  }
+  leave_out(blocks);
+}
+
+void LiveProblem::remove_unused_blocks() {
   for (const Index block : maybe_unused_) {
     const VertexRef vertex = vertex_of_[block];
     VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
     if (entry.block == block && factor_.terms_of(block).empty()) remove_block(entry);
   }
   maybe_unused_.clear();
+}
+
+/// Lets the vertices of a new or changed edge that were left out take part again, with all of their edges.
+void LiveProblem::take_in(EdgeRef edge) {
+  const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
+  if (!pool.alive(edge.slot)) return;
+  const auto slots = pool.vertex_slots(edge.slot);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
+    if (vertices_[p][slots[i]].is_left_out)
+      take_in(VertexRef{p, slots[i], vertices_[p][slots[i]].generation});
+  }
+}
+
+void LiveProblem::take_in(VertexRef vertex) {
+  vertices_[vertex.pool][vertex.slot].is_left_out = false;
+  std::erase(left_out_, vertex);
+  if (!graph_.contains(vertex)) return;
+  for (const EdgeRef& edge : graph_.edges(vertex)) again_.push_back(edge);
+}
+
+bool LiveProblem::is_left_out(EdgeRef edge) const {
+  if (left_out_.empty()) return false;
+  const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
+  const auto slots = pool.vertex_slots(edge.slot);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    if (vertices_[pool.vertex_pool(edge.slot, static_cast<int>(i))][slots[i]].is_left_out) return true;
+  }
+  return false;
+}
+
+bool LiveProblem::leave_out_undetermined(Index lost) {
+  std::vector<Index> blocks;
+  if (!is_determined_alone(lost)) {
+    blocks.push_back(lost);
+  } else {
+    for (const Index term : factor_.terms_of(lost)) {
+      for (const Index other : factor_.blocks_of(term)) {
+        if (!is_determined_alone(other)) blocks.push_back(other);
+      }
+    }
+  }
+  leave_out(blocks);
+  return !blocks.empty();
+}
+
+/// Leaves blocks out with their edges, and then those that have too few rows without these edges.
+void LiveProblem::leave_out(std::span<const Index> blocks) {
+  for (const Index block : blocks) {
+    const VertexRef vertex = vertex_of_[block];
+    VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
+    if (entry.is_left_out) continue;
+    entry.is_left_out = true;
+    left_out_.push_back(vertex);
+    while (!factor_.terms_of(block).empty()) remove_term(edge_of_[factor_.terms_of(block).front()]);
+  }
+  remove_unused_blocks();
+  if (!with_fewer_rows_.empty()) leave_out_with_few_rows();
+}
+
+/// Whether the edges of a block determine it if all other blocks are known.
+bool LiveProblem::is_determined_alone(Index block) const {
+  const auto dim = static_cast<Eigen::Index>(factor_.dim(block));
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, dim);
+  for (const Index term : factor_.terms_of(block)) {
+    const auto blocks = factor_.blocks_of(term);
+    const auto k = static_cast<std::size_t>(std::find(blocks.begin(), blocks.end(), block) - blocks.begin());
+    const double* const values =
+        factor_.values_of(term).data() + factor_.block_of(term, k, k) - factor_.gradient_of(term, 0);
+    sum += Eigen::Map<const Eigen::MatrixXd>(values, dim, dim);
+  }
+  for (const int held : factor_.held_scalars(block)) sum(held, held) += 1;
+  const Eigen::VectorXd scale = sum.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0)) return false;
+  constexpr double kSingular = 1e-10;
+  const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * sum * scale.cwiseInverse().asDiagonal();
+  return symmetric_eigen(scaled).values.minCoeff() > kSingular;
 }
 
 bool LiveProblem::hold(const Plan& plan) {
@@ -147,7 +254,7 @@ void LiveProblem::apply_vertex(VertexRef vertex) {
   VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
   const bool is_same =
       entry.is_known && pool.alive(vertex.slot) && pool.generation(vertex.slot) == entry.generation;
-  if (!is_same) entry.is_held = false;  // another vertex uses the slot
+  if (!is_same) entry.is_held = entry.is_left_out = false;  // another vertex uses the slot
   const bool moves = pool.alive(vertex.slot) && can_move(vertex.pool, vertex.slot);
   if (moves && !pool.bounds(vertex.slot).empty()) {
     throw InvalidArgument("Smoother: vertex " + std::to_string(pool.id(vertex.slot)) +
@@ -193,6 +300,7 @@ void LiveProblem::apply_edge(EdgeRef edge) {
   if (entry.term != kNone) return queue({edge.pool, edge.slot});
   if (!pool.alive(edge.slot) || pool.level(edge.slot) != 0) return;
   if (!aside_.empty() && aside_.contains({edge.pool, edge.slot, pool.generation(edge.slot)})) return;
+  if (is_left_out(edge)) return;
   if (graph_.edge_pools()[edge.pool]->shift(edge.slot) != nullptr)
     throw InvalidArgument("Smoother: expected edges without constraints; use optimize()");
   blocks_.clear();
@@ -215,6 +323,7 @@ void LiveProblem::remove_term(EdgeName name) {
   EdgeEntry& entry = edges_[name.pool][name.slot];
   const auto blocks = factor_.blocks_of(entry.term);
   maybe_unused_.insert(maybe_unused_.end(), blocks.begin(), blocks.end());
+  with_fewer_rows_.insert(with_fewer_rows_.end(), blocks.begin(), blocks.end());
   factor_.remove_term(entry.term);
   entry.term = kNone;
   --term_count_;
@@ -237,6 +346,7 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   if (entry.block >= vertex_of_.size()) vertex_of_.resize(entry.block + std::size_t{1});
   vertex_of_[entry.block] = {p, slot, entry.generation};
   ++block_count_;
+  with_fewer_rows_.push_back(entry.block);
   entry.is_pinned = false;
   new_vertices_.push_back(vertex_of_[entry.block]);
   set_point(p, slot, entry.block);

@@ -40,6 +40,13 @@ class LiveProblem {
   bool hold(const Plan& plan);
   std::span<const detail::GaugeVertex> held() const { return held_; }
   std::size_t held_directions() const { return held_directions_.size(); }
+  /// After the factorization has lost the pivot of this block: leaves out the vertices around it that their
+  /// own edges do not determine. Returns false if there is no such vertex.
+  bool leave_out_undetermined(Index lost);
+  /// Vertices that their own edges do not determine, such as a landmark with a single range. These edges take
+  /// no part, because they say nothing about other vertices. The vertices take part again when one of their
+  /// edges is added or changes.
+  std::span<const VertexRef> left_out() const { return left_out_; }
 
   bool has_queued_edges() const;
   enum class Linearized : std::uint8_t { kAll, kStopped, kNonFinite };
@@ -97,7 +104,7 @@ class LiveProblem {
   struct VertexEntry {
     std::uint32_t generation = 0;
     Index block = kNone;
-    bool is_known = false, is_held = false;
+    bool is_known = false, is_held = false, is_left_out = false;
     bool moved = false;      // could move after the last change
     bool is_pinned = false;  // its linearization point does not move
   };
@@ -119,6 +126,13 @@ class LiveProblem {
   void apply_vertex(VertexRef vertex);
   void apply_edge(EdgeRef edge);
   void remove_term(EdgeName name);
+  void remove_unused_blocks();
+  void leave_out_with_few_rows();
+  void leave_out(std::span<const Index> blocks);
+  void take_in(EdgeRef edge);
+  void take_in(VertexRef vertex);
+  bool is_determined_alone(Index block) const;
+  bool is_left_out(EdgeRef edge) const;
   bool can_move(std::uint32_t pool, std::uint32_t slot) const;
   void note_anchor(std::uint32_t pool, std::uint32_t edge);
   bool joins_parts();
@@ -147,6 +161,7 @@ class LiveProblem {
   std::vector<std::vector<std::uint32_t>> queued_;           // per edge pool
   std::vector<std::vector<std::uint8_t>> kinds_;             // per vertex pool: the kind of each entry
   std::vector<SlotList> lists_;                              // per vertex pool; scratch memory
+  std::vector<VertexRef> left_out_;
   std::vector<detail::GaugeVertex> held_;
   std::vector<std::pair<VertexRef, int>> held_directions_;
   std::vector<bool> is_relative_;  // per edge pool: its edges without fixed vertices do not anchor anything
@@ -154,7 +169,7 @@ class LiveProblem {
   std::vector<Index> moved_;
   std::vector<std::uint64_t> moved_in_;  // per block: its last transaction
   std::uint64_t transaction_ = 0;
-  std::vector<Index> maybe_unused_;
+  std::vector<Index> maybe_unused_, with_fewer_rows_;
   std::vector<Index> waiting_;  // to be linearized anew when the budget allows it
   std::vector<VertexRef> new_vertices_;
   std::vector<EdgeRef> again_;           // edges whose vertices have changed

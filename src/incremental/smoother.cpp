@@ -83,6 +83,7 @@ class Smoother::Impl {
     report.flops = work_.flops;
     report.held_directions = static_cast<std::uint32_t>(problem_->held_directions());
     report.held.assign(problem_->held().begin(), problem_->held().end());
+    for (const VertexRef& vertex : problem_->left_out()) report.held.push_back({vertex, graph_.id(vertex)});
     report.time_s = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;
   }
@@ -208,6 +209,7 @@ class Smoother::Impl {
         is_anchored = true;
         if (anchor()) continue;
       }
+      if (is_lost && problem_->leave_out_undetermined(lost)) continue;
       if (is_lost) return fail(report, lost);
       solved_.clear();
       finishes ? factor.solve_all(solved_) : factor.solve(solved_);

@@ -61,6 +61,60 @@ class ColmapTest(CommandCase):
             self.assertEqual(point[4:7], ["10", "20", "30"])
             self.assertLess(float(point[7]), 1e-3)
 
+    def priors(self, rows, columns="image,x,y,z,sigma"):
+        path = self.path / "priors.csv"
+        path.write_text("\n".join([columns, *(",".join(map(str, row)) for row in rows)]) + "\n", encoding="utf-8")
+        return path
+
+    def centers(self, folder):
+        """The positions of the cameras of a model, by the name of the image."""
+        found = {}
+        for line in self.lines(folder, "images.txt")[::2]:
+            w, x, y, z, *translation = map(float, line[1:8])
+            back = [[1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
+                    [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+                    [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)]]
+            found[line[9]] = [-sum(a * t for a, t in zip(row, translation, strict=True)) for row in back]
+        return found
+
+    def test_measured_positions_move_the_model(self):
+        measured = {f"photos/{i}.jpg": (100 - 2 * cy, 200 + 2 * cx, 30) for i, (cx, cy) in enumerate(CENTERS)}
+        file = self.priors([(name, *position, 0.001) for name, position in measured.items()] + [("photos/9.jpg", 1, 2, 3, 1)])
+        out = self.path / "out"
+        done = run("optimize", self.folder, "-o", out, "--position-priors", file, "--json", "-", "--hold", "intrinsics")
+        self.assertIn("priors.csv: 1 row names no image of the graph", done.stderr)
+        report = json.loads(done.stdout)
+        priors = report["position_priors"]
+        self.assertEqual((priors["positions"], priors["directions"], priors["unknown_images"]), (3, 0, 1))
+        self.assertAlmostEqual(priors["scale"], 2, 2)
+        for name, center in self.centers(out).items():
+            for found, expected in zip(center, measured[name], strict=True):
+                self.assertAlmostEqual(found, expected, 3)
+
+    def test_gravity_turns_the_model_upright(self):
+        rows = [(f"photos/{i}.jpg", "", "", "", 0, 1, 0) for i in range(3)]  # down is +y of a camera that looks ahead
+        file = self.priors(rows, "image,x,y,z,gx,gy,gz")
+        out = self.path / "out"
+        done = run("optimize", self.folder, "-o", out, "--position-priors", file, "--json", "-")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["position_priors"]["directions"]), (0, 3))
+        centers = [self.centers(out)[f"photos/{i}.jpg"] for i in range(3)]
+        self.assertAlmostEqual(centers[0][2], centers[1][2], 2)  # the first two are beside each other
+        self.assertLess(centers[2][2], centers[0][2] - 0.5)  # and the last one is below
+
+    def test_wrong_priors_are_refused_with_their_place(self):
+        for text, complaint in (("", "expected a row with the names of columns"),
+                                ("image,x,y\n", "priors.csv:1:1: expected a column 'z'"),
+                                ("name,x,y,z\n", "priors.csv:1:1: expected one of the columns image, x, y"),
+                                ("image,x,x,z\n", "priors.csv:1:9: expected each column once, got 'x' again"),
+                                ("image,x,y,z\na,1,2\n", "expected 4 fields, as in the first row, got 3"),
+                                ("image,x,y,z\na,1,two,3\n", "priors.csv:2:5: expected y, got 'two'"),
+                                ("image,x,y,z,sigma\na,1,2,3,0\n", "priors.csv:2:9: expected sigma above 0, got 0"),
+                                ("image,x,y,z,gx,gy,gz\na,1,2,3,0,0,0\n", "expected a direction, got zeros"),
+                                ("image,x,y,z\nphotos/1.jpg,1,2,3\n", "expected positions of three images")):
+            path = self.path / "priors.csv"
+            path.write_text(text, encoding="utf-8")
+            self.assert_refused(run("optimize", self.folder, "--position-priors", path), complaint)
+
     def test_the_cameras_of_a_rig_move_together(self):
         offset = 0.3  # camera 5 is right of camera 4
         images, frames = [], []

@@ -290,7 +290,7 @@ TEST(Smoother, RemovesVerticesAndTakesVerticesThatReuseTheirSlots) {
   EXPECT_LT(distance_from_batch(graph), 1e-6);
 }
 
-TEST(Smoother, LeavesTheEstimatesAsTheyWereIfAVertexIsNotDetermined) {
+TEST(Smoother, LeavesAVertexOutAsLongAsItsEdgesDoNotDetermineIt) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2());
   graph.fix(pose);
@@ -299,14 +299,51 @@ TEST(Smoother, LeavesTheEstimatesAsTheyWereIfAVertexIsNotDetermined) {
   const auto weightless = graph.add_edge(PointObservation2(Vector2(0, 0)), 0.0, pose, other);
   Smoother smoother(graph);
   const SmootherReport report = smoother.update();
-  EXPECT_EQ(report.reason, SmootherReport::Reason::kNotDetermined);
-  EXPECT_NE(report.message.find("vertex 2"), std::string::npos) << report.message;
-  EXPECT_EQ(graph.estimate(point), Vector2(1, 2));
+  EXPECT_TRUE(report.converged());
+  ASSERT_EQ(report.held.size(), 1U);
+  EXPECT_EQ(report.held[0].vertex, other);
+  EXPECT_NEAR(graph.estimate(point)[1], 2.5, 1e-9);
   EXPECT_EQ(graph.estimate(other), Vector2(3, 4));
   graph.set_information(weightless, 1.0);
-  EXPECT_TRUE(smoother.update().converged());
-  EXPECT_NEAR(graph.estimate(point)[1], 2.5, 1e-9);
+  EXPECT_TRUE(smoother.update().held.empty());
   EXPECT_NEAR(graph.estimate(other)[1], 0, 1e-9);
+}
+
+/// The distance to a landmark.
+struct Range {
+  double measured;
+  template <class S>
+  Vector<S, 1> error(const BasicSE2<S>& pose, const Vector<S, 2>& landmark) const {
+    using std::sqrt;
+    const Vector<S, 2> d = landmark - pose.translation();
+    return Vector<S, 1>(sqrt(d[0] * d[0] + d[1] * d[1]) - measured);
+  }
+};
+
+TEST(Smoother, DrivesOnWithLandmarksOfASingleRange) {
+  Graph graph;
+  Smoother smoother(graph);
+  const Vector2 truths[] = {{2, 3}, {4, -2}, {6, 3}};
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
+  graph.fix(poses[0]);
+  std::vector<VertexHandle<Vector2>> landmarks;
+  for (const Vector2& truth : truths)
+    landmarks.push_back(graph.add_vertex(Vector2(truth + Vector2(0.3, 0.2))));
+  for (int k = 1; k <= 6; ++k) {
+    const SE2 truth(k, k % 2, 0);
+    poses.push_back(graph.add_vertex(SE2(k + 0.1, k % 2 - 0.1, 0.01)));
+    graph.add_edge(Between(SE2(k - 1, (k - 1) % 2, 0).inverse() * truth), 100.0, poses[poses.size() - 2],
+                   poses.back());
+    for (std::size_t l = 0; l < landmarks.size(); ++l)
+      graph.add_edge(Range{(truths[l] - truth.translation()).norm()}, 10.0, poses.back(), landmarks[l]);
+    const SmootherReport report = smoother.update();
+    EXPECT_TRUE(report.converged()) << report.message;
+    EXPECT_EQ(report.held.size(), k == 1 ? 3U : 0U) << "step " << k;
+    EXPECT_NEAR(graph.estimate(poses.back()).translation()[0], k, 0.02);
+  }
+  smoother.finish();
+  for (std::size_t l = 0; l < landmarks.size(); ++l)
+    EXPECT_LT((graph.estimate(landmarks[l]) - truths[l]).norm(), 1e-6);
 }
 
 struct Failing {

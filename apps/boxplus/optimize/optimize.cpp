@@ -94,6 +94,12 @@ std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFi
   }
 }
 
+void note_priors(const PositionPriors& priors, const std::string& path) {
+  if (priors.others == 0) return;
+  print_message(fmt::format("{}: {} row{} no image of the graph", input_name(path), priors.others,
+                            priors.others == 1 ? " names" : "s name"));
+}
+
 int optimize_file(OptimizeArguments arguments) {
   check_outputs(outputs_of(arguments));
   if (arguments.petsc) arguments.options.custom_linear_solver = load_petsc_solver(*arguments.petsc);
@@ -117,6 +123,10 @@ int optimize_file(OptimizeArguments arguments) {
   facts.indefinite_edges = file.indefinite;
   facts.load_s = seconds_since(begin);
   set_pixel_sigma(file.graph, arguments);
+  if (!arguments.position_priors.empty()) {
+    facts.priors = add_position_priors(file, arguments.position_priors);
+    note_priors(*facts.priors, arguments.position_priors);
+  }
   facts.kernel = set_kernels(file.graph, arguments);
 
   const Interrupt interrupt;

@@ -126,6 +126,13 @@ void add_bundle_options(CLI::App& command, OptimizeArguments& arguments) {
       ->check(number_above(0))
       ->type_name("PIXELS")
       ->group("Bundle adjustment");
+  command
+      .add_option("--position-priors", arguments.position_priors,
+                  "A CSV file with measured positions of images and directions of gravity: the model moves "
+                  "onto them, and they take part (docs/colmap.md)")
+      ->check(file_name())
+      ->type_name("FILE")
+      ->group("Bundle adjustment");
 }
 
 void add_outlier_options(CLI::App& command, OptimizeArguments& arguments) {

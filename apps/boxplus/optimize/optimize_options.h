@@ -39,6 +39,7 @@ struct OptimizeArguments : RunSettings, ServingArguments {
   std::vector<IdRange> fixed, moving;
   std::vector<BundlePart> held, freed;  ///< of bundle adjustment
   double pixel_sigma = 0;               ///< 0: Ω stays as it is
+  std::string position_priors;          ///< a file; empty: none
 };
 
 /// Adds all options of the command. They set `arguments`, which must outlive the command.

@@ -154,6 +154,14 @@ Json records_json(const std::vector<IterationRecord>& records) {
   return result;
 }
 
+Json priors_json(const std::optional<PositionPriors>& priors) {
+  if (!priors) return nullptr;
+  return {{"positions", priors->positions},
+          {"directions", priors->directions},
+          {"unknown_images", priors->others},
+          {"scale", priors->scale}};
+}
+
 /// Returns the report with the chi2 of the result: --certify may have found a better minimum, or two.
 Report report_of_result(const Report& run, const RunFacts& facts) {
   Report report = run;
@@ -179,6 +187,7 @@ std::string report_json(const Report& run, const RunFacts& facts) {
                      {"start", start_json(report.start)},
                      {"gauge", gauge_json(report.gauge)},
                      {"kernel", kernel_json(facts.kernel)},
+                     {"position_priors", priors_json(facts.priors)},
                      {"rejection", rejection_json(report)},
                      {"active_bounds", bounds_json(report.active_bounds)},
                      {"findings", findings_json(report.findings)},

@@ -7,6 +7,7 @@
 
 #include "boxplus/certify/certificate.h"
 #include "boxplus/outliers/outliers.h"
+#include "optimize/position_priors.h"
 #include "settings/run_settings.h"
 
 namespace boxplus::app {
@@ -19,6 +20,7 @@ struct RunFacts {
   std::int64_t skipped_lines = 0;
   std::int64_t indefinite_edges = 0;
   KernelFacts kernel;
+  std::optional<PositionPriors> priors;    ///< of --position-priors
   std::optional<OutlierReport> outliers;   ///< of --outliers
   std::optional<Certificate> certificate;  ///< of --certify
   std::optional<Certificate> of_better;    ///< of the better minimum that it has found

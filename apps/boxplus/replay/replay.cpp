@@ -252,13 +252,13 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
       ->capture_default_str();
   command
       .add_option("--relinearize", options.relinearize.length,
-                  "Linearize a vertex anew when it has moved so many meters, or so many radians times 0.3")
+                  "Linearize a vertex anew when it has moved so many meters, or 0.15 times as many radians")
       ->type_name("METERS")
       ->check(number_above(0))
       ->capture_default_str();
   command
       .add_option("--noticeable", options.noticeable.length,
-                  "Do not pass on changes of a vertex below so many meters, and so many radians")
+                  "Do not pass on changes of a vertex below so many meters, and half as many radians")
       ->type_name("METERS")
       ->check(number_above(0))
       ->capture_default_str();
@@ -286,8 +286,8 @@ void add_replay(CLI::App& app, Action& action) {
   add_options(command, *arguments);
   command.callback([arguments, &action] {
     SmootherOptions& options = arguments->options;
-    options.relinearize.angle = options.relinearize.other = 0.3 * options.relinearize.length;
-    options.noticeable.angle = options.noticeable.other = options.noticeable.length;
+    options.relinearize.angle = options.relinearize.other = 0.15 * options.relinearize.length;
+    options.noticeable.angle = options.noticeable.other = 0.5 * options.noticeable.length;
     action = [arguments] { return replay_file(*arguments); };
   });
 }

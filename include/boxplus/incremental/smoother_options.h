@@ -24,9 +24,9 @@ struct TangentDistance {
 
 struct SmootherOptions {
   /// A vertex is linearized anew when its estimate is farther than this from its linearization point.
-  TangentDistance relinearize{0.1, 0.03, 0.03};
+  TangentDistance relinearize{0.2, 0.03, 0.03};
   /// Smaller changes of a vertex are not passed on to its neighbors.
-  TangentDistance noticeable{1e-3, 1e-3, 1e-3};
+  TangentDistance noticeable{2e-3, 1e-3, 1e-3};
   /// An update relinearizes until no vertex has to be linearized anew, or until it has done so this often.
   int max_iterations = 20;
   /// An update begins no further iteration after this time, and the next update goes on. At least one
@@ -65,7 +65,7 @@ struct SmootherReport {
     kTimeLimit,      ///< the next update goes on
     kStopFlag,       ///< the next update goes on
     kNonFinite,      ///< an error or a Jacobian is not finite; the estimates are unchanged
-    kNotDetermined,  ///< the edges do not determine the vertex `vertex`; the estimates are unchanged
+    kNotDetermined,  ///< some vertices are not determined together; the estimates are unchanged
   };
   Reason reason = Reason::kConverged;
   std::string message;  ///< names the vertices of a failure; otherwise empty
@@ -83,8 +83,10 @@ struct SmootherReport {
   double flops = 0;                ///< the operations of the factorizations
   bool started_over = false;       ///< the steps diverged, and optimize() ran over the whole graph
   double time_s = 0;
-  std::vector<detail::GaugeVertex> held;  ///< vertices that are held because nothing fixes their components
-  std::uint32_t held_directions = 0;      ///< single directions that are held because nothing determines them
+  /// Vertices that do not move, because nothing fixes their components, or because their own edges do not
+  /// determine them yet. Edges of the latter take no part.
+  std::vector<detail::GaugeVertex> held;
+  std::uint32_t held_directions = 0;  ///< single directions that are held because nothing determines them
   bool converged() const { return reason == Reason::kConverged; }
 };
 
