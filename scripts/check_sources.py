@@ -35,7 +35,7 @@ NOT_BY_DEFAULT = ("cholmod.h", "cs.h", "suitesparse/cholmod.h", "suitesparse/cs.
 OPT_IN = ("g2o/src/solvers/suitesparse/", "g2o/include/g2o/solvers/cholmod/cholmod_ext.h",
           "g2o/include/g2o/solvers/csparse/csparse_helper.h")
 SYSTEM = re.compile(r"[a-z0-9_]+|sys/\w+\.h|(?:boxplus|g2o)/.*"
-                    r"|(?:cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
+                    r"|(?:arm_neon|cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
 
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include[ \t]*<([^>]+)>", re.MULTILINE)
 COMMENT_OR_TEXT = re.compile(r"""//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'""", re.DOTALL)
