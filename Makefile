@@ -7,10 +7,10 @@ FUZZ_SECONDS ?= 600
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize sanitize-changes tidy tidy-changes format check house fuzz page page-check ci ci-full install packages clean
+.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize arm64 arm64-light sanitize-changes tidy tidy-changes format check house fuzz page page-check ci ci-full install packages clean
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
+	@sed -n 's/^\([a-z0-9]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
 
 setup: ## installs the Debian packages that are missing (root or sudo)
 	@scripts/install_dependencies.sh
@@ -75,6 +75,18 @@ sanitize: setup ## builds the library and the core suites with clang++, ASan and
 sanitize-changes: setup ## the same for the core suites that the changes since SINCE (the main branch) may have touched
 	@JOBS=$(JOBS) scripts/sanitize_changes.sh $(SINCE)
 
+arm64: setup ## builds for 64-bit ARM, and runs the core suites and the command on the public graphs under qemu
+	@scripts/install_dependencies.sh scripts/debian-packages-arm64.txt
+	@cmake --preset arm64
+	@cmake --build --preset arm64 --parallel $(JOBS) --target core_suites boxplus_command
+	@ctest --preset arm64 --parallel $(JOBS)
+
+arm64-light: setup ## the same for the tests of the kernels and the public pose graphs only
+	@scripts/install_dependencies.sh scripts/debian-packages-arm64.txt
+	@cmake --preset arm64
+	@cmake --build --preset arm64 --parallel $(JOBS) --target kernels_test boxplus_command
+	@ctest --preset arm64-light --parallel $(JOBS)
+
 tidy: setup ## builds with clang++ and runs clang-tidy over every source
 	@cmake --preset tidy
 	@cmake --build --preset tidy --parallel $(JOBS)
@@ -120,11 +132,12 @@ ci-full: ci ## and all suites under each sanitizer, and clang-tidy over every so
 install: build ## installs headers, library, programs and CMake package under PREFIX (/usr/local)
 	@cmake --install build/release --prefix $(PREFIX)
 
-packages: setup ## makes Debian packages of the command, the library, the Python module and the g2o API in build/release/packages
-	@cmake --preset release
-	@cmake --build --preset release --parallel $(JOBS) --target packaged
-	@cpack --config build/release/CPackConfig.cmake
-	@ls build/release/packages/*.deb
+packages: setup ## makes Debian packages in build/release/packages; with ARCH=arm64, for 64-bit ARM in build/arm64/packages
+	@$(if $(ARCH),scripts/install_dependencies.sh scripts/debian-packages-$(ARCH).txt)
+	@cmake --preset $(or $(ARCH),release)
+	@cmake --build --preset $(or $(ARCH),release) --parallel $(JOBS) --target packaged
+	@cpack --config build/$(or $(ARCH),release)/CPackConfig.cmake
+	@ls build/$(or $(ARCH),release)/packages/*.deb
 
 clean: ## removes build/
 	@rm -rf build

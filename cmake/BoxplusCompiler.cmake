@@ -17,7 +17,7 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 set(BOXPLUS_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
-if(PROJECT_IS_TOP_LEVEL)
+if(BOXPLUS_WARNINGS_ARE_ERRORS)
   list(APPEND BOXPLUS_WARNINGS -Werror)
 endif()
 add_library(boxplus_warnings INTERFACE)

@@ -21,6 +21,11 @@ write_basic_package_version_file(boxplusConfigVersion.cmake COMPATIBILITY SameMa
 install(FILES ${PROJECT_BINARY_DIR}/boxplusConfig.cmake ${PROJECT_BINARY_DIR}/boxplusConfigVersion.cmake
               cmake/FindAMD.cmake DESTINATION ${package_dir})
 
+# With these files, the tools of ROS 2 know the package (docs/ros.md). The second is empty; its name is what counts.
+file(CONFIGURE OUTPUT ament_index/boxplus CONTENT "")
+install(FILES package.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/boxplus)
+install(FILES ${PROJECT_BINARY_DIR}/ament_index/boxplus DESTINATION ${CMAKE_INSTALL_DATADIR}/ament_index/resource_index/packages)
+
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 include(BoxplusPackages)

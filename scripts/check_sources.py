@@ -8,8 +8,8 @@ Quiet: no source of the library prints, exits or aborts. (The g2o API prints err
 may print.)
 Permissive: each file has the license of the project, and includes headers of other libraries only if the table below
 has them. The opt-in solvers of the g2o API alone may include the headers of CHOLMOD and CXSparse.
-Stable: a deprecated name says what to use instead, and the changelog has a section for the version of the project
-(docs/versions.md).
+Stable: a deprecated name says what to use instead, and the changelog has a section for the version of the project,
+which package.xml has, too (docs/versions.md).
 """
 
 import pathlib
@@ -38,7 +38,7 @@ NOT_BY_DEFAULT = ("cholmod.h", "cs.h", "suitesparse/cholmod.h", "suitesparse/cs.
 OPT_IN = ("g2o/src/solvers/suitesparse/", "g2o/include/g2o/solvers/cholmod/cholmod_ext.h",
           "g2o/include/g2o/solvers/csparse/csparse_helper.h")
 SYSTEM = re.compile(r"[a-z0-9_]+|sys/\w+\.h|(?:boxplus|g2o)/.*"
-                    r"|(?:cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
+                    r"|(?:arm_neon|cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
 
 DEPRECATED = re.compile(r"\[\[deprecated(?!\(\"use )")
 VERSION = re.compile(r"^project\(boxplus VERSION ([0-9.]+)", re.MULTILINE)
@@ -90,6 +90,9 @@ def unstable(root):
     version = VERSION.search(lists.read_text(encoding="utf-8")) if lists.exists() else None
     if version and f"\n## {version[1]}\n" not in changes.read_text(encoding="utf-8"):
         yield f"CHANGELOG.md:1: there is no section for version {version[1]}"
+    package = root / "package.xml"
+    if version and package.exists() and f"<version>{version[1]}</version>" not in package.read_text(encoding="utf-8"):
+        yield f"package.xml:1: expected version {version[1]}, as in CMakeLists.txt"
 
 
 def main():

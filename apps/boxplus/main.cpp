@@ -34,8 +34,9 @@ constexpr const char* kFooter =
     "  3  numerical failure, or not enough memory\n"
     "\n"
     "Environment:\n"
-    "  BOXPLUS_ISA  the instruction set for dense matrices: baseline, avx2 or avx512. The default is\n"
-    "               the best one that the processor has. The last digits of results may depend on it.\n"
+    "  BOXPLUS_ISA  the instruction set for dense matrices: baseline, avx2, avx512 or neon. The\n"
+    "               default is the best one that the processor has. The last digits of results may depend\n"
+    "               on it.\n"
     "\n"
     "The file name - stands for standard input or standard output. Results go to standard output, and\n"
     "messages go to standard error.";

@@ -33,6 +33,8 @@ thread_local bool inside_task = false;
 void pause_briefly() {
 #if defined(__x86_64__) || defined(__i386__)
   _mm_pause();
+#elif defined(__aarch64__)
+  __asm__ __volatile__("isb");  // takes about as long as _mm_pause(); `yield` does nothing on most processors
 #else
   std::this_thread::yield();
 #endif

@@ -11,12 +11,14 @@ struct Usable {
   const KernelTable* tables[3] = {&baseline::kTable};
   std::size_t count = 1;
 
-  Usable() {  // NOLINT(modernize-use-equals-default): it is not empty on x86
+  Usable() {  // NOLINT(modernize-use-equals-default): it is not empty on x86 and ARM
 #ifdef BOXPLUS_X86_KERNELS
     __builtin_cpu_init();
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     if (has_avx2) tables[count++] = &avx2::kTable;
     if (has_avx2 && __builtin_cpu_supports("avx512f")) tables[count++] = &avx512::kTable;
+#elif defined(BOXPLUS_ARM_KERNELS)
+    tables[count++] = &neon::kTable;  // all 64-bit ARM processors have NEON
 #endif
   }
 };

@@ -157,7 +157,8 @@ struct FactorKernels {
 /// The kernels for one instruction set.
 struct KernelTable {
   const char* name;
-  /// The time per floating-point operation for fronts of medium size, measured on processors from about 2023.
+  /// The time per floating-point operation for fronts of medium size, measured on x86 processors from about
+  /// 2023. For NEON, it is an estimate: two thirds of the peak of a core with two pipes at 2.6 GHz.
   double nanoseconds_per_flop;
   FactorKernels<double> in_double;
   FactorKernels<float> in_float;
@@ -188,7 +189,7 @@ struct KernelTable {
 /// The tables of kernels that this processor can run. The fastest table is last.
 std::span<const KernelTable* const> usable_kernels();
 /// The table of kernels that is in use. If the environment variable BOXPLUS_ISA names a table (baseline,
-/// avx2, avx512) that the processor can run, this table is used. Otherwise, the fastest table is used.
+/// avx2, avx512, neon) that the processor can run, this table is used. Otherwise, the fastest table is used.
 const KernelTable& kernels();
 template <class Scalar>
 const FactorKernels<Scalar>& factor_kernels() {
@@ -208,6 +209,9 @@ namespace avx2 {
 extern const KernelTable kTable;
 }
 namespace avx512 {
+extern const KernelTable kTable;
+}
+namespace neon {
 extern const KernelTable kTable;
 }
 

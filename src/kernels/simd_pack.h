@@ -11,6 +11,8 @@
 
 #if defined(__AVX2__)
 #include <immintrin.h>
+#elif defined(BOXPLUS_NEON)
+#include <arm_neon.h>
 #endif
 
 #ifndef BOXPLUS_ISA
@@ -39,6 +41,10 @@ inline constexpr double kNanosecondsPerFlop = 0.025;
 #define BOXPLUS_PACK_BYTES 32
 inline constexpr int kPacks = 2, kStrip = 6;
 inline constexpr double kNanosecondsPerFlop = 0.03;
+#elif defined(BOXPLUS_NEON)  // isa_neon.cpp; every compiler for 64-bit ARM may use NEON
+#define BOXPLUS_PACK_BYTES 16
+inline constexpr int kPacks = 3, kStrip = 8;
+inline constexpr double kNanosecondsPerFlop = 0.07;
 #elif defined(__GNUC__)
 #define BOXPLUS_PACK_BYTES 16
 inline constexpr int kPacks = 2, kStrip = 4;
@@ -137,6 +143,28 @@ class LanesOf {
 
  private:
   __m256i mask_;
+#elif defined(BOXPLUS_NEON)
+  explicit LanesOf(int count) : count_(count) {}
+  PackOf<Scalar> load(const Scalar* from) const {
+    if (count_ == kLanesOf<Scalar>) return dense::BOXPLUS_ISA::load(from);
+    PackOf<Scalar> pack{from[0]};
+    if constexpr (kLanesOf<Scalar> == 4) {
+      if (count_ > 1) pack[1] = from[1];
+      if (count_ > 2) pack[2] = from[2];
+    }
+    return pack;
+  }
+  void store(Scalar* to, PackOf<Scalar> pack) const {
+    if (count_ == kLanesOf<Scalar>) return dense::BOXPLUS_ISA::store(to, pack);
+    to[0] = pack[0];
+    if constexpr (kLanesOf<Scalar> == 4) {
+      if (count_ > 1) to[1] = pack[1];
+      if (count_ > 2) to[2] = pack[2];
+    }
+  }
+
+ private:
+  int count_;
 #else
   explicit LanesOf(int count) : count_(count) {}
   PackOf<Scalar> load(const Scalar* from) const {

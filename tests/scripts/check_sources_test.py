@@ -35,10 +35,13 @@ class CheckSources(unittest.TestCase):
         self.assert_reported("include/boxplus/a.h", "[[deprecated]] void f();\n", 'expected [[deprecated("use …")]]')
         self.assertEqual(check({"include/boxplus/a.h": '[[deprecated("use g()")]] void f();\n'}), (0, []))
 
-    def test_the_changelog_must_have_the_version(self):
+    def test_the_changelog_and_package_xml_must_have_the_version(self):
         files = {"CMakeLists.txt": "project(boxplus VERSION 1.2.0 LANGUAGES CXX)\n", "CHANGELOG.md": "\n## 1.1.0\n"}
         self.assertEqual(check(files), (1, ["CHANGELOG.md:1: there is no section for version 1.2.0"]))
-        self.assertEqual(check({**files, "CHANGELOG.md": "\n## 1.2.0\n"}), (0, []))
+        files["CHANGELOG.md"] = "\n## 1.2.0\n"
+        self.assertEqual(check(files), (0, []))
+        self.assertEqual(check({**files, "package.xml": "<version>1.1.0</version>"}),
+                         (1, ["package.xml:1: expected version 1.2.0, as in CMakeLists.txt"]))
 
     def test_each_way_to_print_exit_or_abort_is_reported(self):
         for statement, name in (("std::cout << x;", "std::cout"), ("std::cerr << x;", "std::cerr"), ("printf(x);", "printf"),

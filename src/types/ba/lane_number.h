@@ -41,6 +41,8 @@ inline LaneNumber sqrt(LaneNumber a) {
   return LaneNumber::of(_mm512_maskz_sqrt_pd(0xff, a.lanes));
 #elif defined(__AVX2__)
   return LaneNumber::of(_mm256_sqrt_pd(a.lanes));
+#elif defined(BOXPLUS_NEON)
+  return LaneNumber::of(vsqrtq_f64(a.lanes));
 #else
   double x[kLanes];
   store(x, a.lanes);

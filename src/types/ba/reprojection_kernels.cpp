@@ -9,6 +9,8 @@ const Reproject* reprojection_kernels() {
 #ifdef BOXPLUS_X86_KERNELS
   if (&kernels() == &avx512::kTable) return avx512::kReprojectionKernels;
   if (&kernels() == &avx2::kTable) return avx2::kReprojectionKernels;
+#elif defined(BOXPLUS_ARM_KERNELS)
+  if (&kernels() == &neon::kTable) return neon::kReprojectionKernels;
 #endif
   return baseline::kReprojectionKernels;
 }

@@ -29,5 +29,8 @@ extern const Reproject* const kReprojectionKernels;
 namespace avx512 {
 extern const Reproject* const kReprojectionKernels;
 }
+namespace neon {
+extern const Reproject* const kReprojectionKernels;
+}
 
 }  // namespace boxplus::dense
