@@ -16,6 +16,7 @@
 #include "files/graph_input.h"
 #include "files/interrupt.h"
 #include "files/outputs.h"
+#include "io/model/graph_model.h"
 #include "optimize/optimize_options.h"
 #include "optimize/optimize_report.h"
 #include "optimize/optimize_run.h"
@@ -139,6 +140,7 @@ int optimize_file(OptimizeArguments arguments) {
     doubt_indefinite(file.graph, arguments, report);
   certify_result(file.graph, arguments, report, facts, progress);
   if (arguments.remove_outliers && facts.outliers) remove_outliers(file.graph, *facts.outliers);
+  if (!arguments.output.empty()) forget_reprojection_errors(file);
   const std::exception_ptr refusal = arguments.output.empty() ? nullptr : save_result(arguments, file, facts);
   facts.total_s = seconds_since(begin);
   if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));

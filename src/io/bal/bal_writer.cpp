@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/field_reader.h"
@@ -11,6 +14,7 @@
 #include "io/edges_to_write.h"
 #include "io/model/camera_types.h"
 #include "io/model/graph_model.h"
+#include "io/model/graph_roles.h"
 #include "io/moderate_pose.h"
 #include "io/reprojection_losses.h"
 #include "io/written_errors.h"
@@ -31,6 +35,16 @@ bool has_colmap_cameras(const Graph& graph) {
   const auto pools = graph.vertex_pools();
   return std::any_of(pools.begin(), pools.end(),
                      [](const auto& pool) { return camera_type_of(*pool) && pool->alive_count() > 0; });
+}
+
+std::size_t count_images_with_offset(const Graph& graph) {
+  const GraphRoles roles(graph);
+  std::set<std::pair<VertexRef, VertexRef>> images;  // the vertex of the image and its offset
+  for (const EdgeRef& edge : graph.all_edges()) {
+    const std::optional<PixelObservation> seen = roles.observation(edge);
+    if (seen && seen->offset) images.insert({seen->image, *seen->offset});
+  }
+  return images.size();
 }
 
 bool is_bal_edge(const Graph& graph, EdgeRef edge) {
@@ -145,8 +159,13 @@ void write_bal(const GraphFileView& file, const WriteOptions& /*options*/, TextS
 }
 
 std::vector<std::string> bal_losses(const GraphFileView& file) {
-  if (has_colmap_cameras(file.graph)) return model_losses(file);
-  return reprojection_losses(file.graph, [&](EdgeRef edge) { return is_bal_edge(file.graph, edge); });
+  if (!has_colmap_cameras(file.graph))
+    return reprojection_losses(file.graph, [&](EdgeRef edge) { return is_bal_edge(file.graph, edge); });
+  std::vector<std::string> sentences = model_losses(file);
+  const std::size_t images = count_images_with_offset(file.graph);
+  if (images > 0)
+    sentences.push_back(images == 1 ? "the rig of 1 image" : fmt::format("the rigs of {} images", images));
+  return sentences;
 }
 
 }  // namespace boxplus

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
@@ -324,6 +326,8 @@ class ModelMaker {
       double sum = 0, count = 0;
     };
     std::vector<Mean> means(model_.points.size());
+    // Only forget_reprojection_errors() makes NaN, because the readers refuse it.
+    for (std::size_t i = 0; i < means.size(); ++i) means[i].is_wanted = std::isnan(model_.points[i].error);
     for (const std::size_t point : changed_tracks_) means[point].is_wanted = true;
     for (const Seen& seen : seen_) means[seen.point].is_wanted |= seen.is_changed;
     for (const Seen& seen : seen_) {
@@ -366,6 +370,15 @@ class ModelMaker {
 
 SparseModel model_of(const GraphFileView& file) {
   return ModelMaker(file).make();
+}
+
+void forget_reprojection_errors(GraphFile& file) {
+  if (!file.model) return;
+  SparseModel model = *file.model;
+  for (Point& point : model.points) {
+    if (!point.track.empty()) point.error = std::numeric_limits<double>::quiet_NaN();
+  }
+  file.model = std::make_shared<const SparseModel>(std::move(model));
 }
 
 std::vector<std::string> model_losses(const GraphFileView& file) {

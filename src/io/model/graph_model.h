@@ -12,6 +12,9 @@ namespace boxplus {
 
 /// See sparse_model().
 SparseModel model_of(const GraphFileView& file);
+/// Makes model_of() compute the reprojection errors of all points, also of those that have not changed since
+/// the file was read: some programs write models with the errors of earlier estimates.
+void forget_reprojection_errors(GraphFile& file);
 /// See losses().
 std::vector<std::string> model_losses(const GraphFileView& file);
 

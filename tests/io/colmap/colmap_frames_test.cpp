@@ -13,6 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
@@ -244,6 +245,12 @@ TEST(ColmapFrames, KeepTheirOffsetsIfPosesAreFreed) {
   EXPECT_EQ(hold(file.graph, BundlePart::kPoses, false), 2u);
   EXPECT_TRUE(file.graph.is_fixed(file.graph.parameter<SE3>(12)));
   EXPECT_EQ(set_pixel_sigma(file.graph, 2), 5u);
+}
+
+TEST(ColmapFrames, AreNotKeptByBalWhichIsSaidIfTheyAreRigs) {
+  EXPECT_THAT(losses("scene.bal", read({})), ElementsAre("the rig of 1 image"));
+  EXPECT_THAT(losses("scene.bal", read(with_trivial_rigs())), IsEmpty());
+  EXPECT_THAT(losses("model/", read({})), IsEmpty());
 }
 
 TEST(ColmapFrames, BothHaveAFile) {
