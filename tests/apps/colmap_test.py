@@ -91,6 +91,26 @@ class ColmapTest(CommandCase):
             for found, expected in zip(center, measured[name], strict=True):
                 self.assertAlmostEqual(found, expected, 3)
 
+    def test_one_wrong_position_does_not_move_the_model(self):
+        centers = [(0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (2, 1)]
+        images = []
+        for i, (cx, cy) in enumerate(centers):
+            images.append(f"{i + 1} 1 0 0 0 {-cx} {-cy} 0 4 photos/{i}.jpg")
+            images.append(" ".join(f"{480 * (x - cx) / z + 320!r} {480 * (y - cy) / z + 240!r} {k + 1}"
+                                   for k, (x, y, z) in enumerate(POINTS)))
+        points = [f"{k + 1} {x} {y} {z} 10 20 30 -1 " + " ".join(f"{i + 1} {k}" for i in range(len(centers)))
+                  for k, (x, y, z) in enumerate(POINTS)]
+        for name, lines in (("images.txt", images), ("points3D.txt", points)):
+            (self.folder / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+        rows = [(f"photos/{i}.jpg", 2 * cx, 2 * cy + 0.001 * i, 0, 0.01) for i, (cx, cy) in enumerate(centers)]
+        rows[5] = ("photos/5.jpg", 100, 200, 300, 0.01)
+        done = run("optimize", self.folder, "-o", self.path / "out", "--position-priors", self.priors(rows), "--kernel", "Cauchy",
+                   "--json", "-")
+        self.assertIn("1 position is far from the model", done.stderr)
+        self.assertAlmostEqual(json.loads(done.stdout)["position_priors"]["scale"], 2, 2)
+        for found, expected in zip(self.centers(self.path / "out")["photos/4.jpg"], (4, 0, 0), strict=True):
+            self.assertAlmostEqual(found, expected, 1)
+
     def test_gravity_turns_the_model_upright(self):
         rows = [(f"photos/{i}.jpg", "", "", "", 0, 1, 0) for i in range(3)]  # down is +y of a camera that looks ahead
         file = self.priors(rows, "image,x,y,z,gx,gy,gz")
@@ -110,6 +130,7 @@ class ColmapTest(CommandCase):
                                 ("image,x,y,z\na,1,two,3\n", "priors.csv:2:5: expected y, got 'two'"),
                                 ("image,x,y,z,sigma\na,1,2,3,0\n", "priors.csv:2:9: expected sigma above 0, got 0"),
                                 ("image,x,y,z,gx,gy,gz\na,1,2,3,0,0,0\n", "expected a direction, got zeros"),
+                                ("\ufeffimage,x,y,z\nb,1,2,3\nb,1,2,3\n", "priors.csv:3:1: expected each image once, got the image of line 2"),
                                 ("image,x,y,z\nphotos/1.jpg,1,2,3\n", "expected positions of three images")):
             path = self.path / "priors.csv"
             path.write_text(text, encoding="utf-8")
@@ -146,6 +167,14 @@ class ColmapTest(CommandCase):
             for value, other, shift in zip(pose, moved[frame[15]], [0] * 4 + [-offset, 0, 0], strict=True):
                 self.assertAlmostEqual(value + shift, other, 12)
         self.assertEqual(run("info", out).returncode, 0)
+        rows = [(f"{i}/1.jpg", 2 * (cx + offset), 2 * cy, 0, 0.01) for i, (cx, cy) in enumerate(CENTERS)]
+        done = run("optimize", out, "-o", self.path / "moved", "--position-priors", self.priors(rows), "--json", "-")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["position_priors"]["positions"]), (0, 3), done.stderr)
+        centers = self.centers(self.path / "moved")
+        for name, x, y, _, _ in rows:
+            self.assertAlmostEqual(centers[name][0], x, 3)
+            self.assertAlmostEqual(centers[name][1], y, 3)
+        self.assertAlmostEqual(centers["1/1.jpg"][0] - centers["1/0.jpg"][0], 2 * offset, 3)
         self.assertEqual(run("convert", out, self.path / "rig.json").returncode, 0)
         chi2 = [json.loads(run("info", graph, "--json", "-").stdout)["chi2"] for graph in (out, self.path / "rig.json")]
         self.assertAlmostEqual(*chi2, 12)

@@ -96,6 +96,9 @@ std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFi
 }
 
 void note_priors(const PositionPriors& priors, const std::string& path) {
+  if (priors.far > 0)
+    print_message(fmt::format("{}: {} position{} far from the model; --kernel gives them less weight",
+                              input_name(path), priors.far, priors.far == 1 ? " is" : "s are"));
   if (priors.others == 0) return;
   print_message(fmt::format("{}: {} row{} no image of the graph", input_name(path), priors.others,
                             priors.others == 1 ? " names" : "s name"));

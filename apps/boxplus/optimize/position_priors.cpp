@@ -9,8 +9,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <random>
 #include <string_view>
 #include <vector>
 
@@ -20,9 +22,11 @@
 #include "boxplus/manifold/s2.h"
 #include "boxplus/manifold/se3.h"
 #include "boxplus/types/inertial/direction_observation.h"
+#include "boxplus/types/offset_position_prior.h"
 #include "boxplus/types/position_prior.h"
 #include "command_line/message.h"
 #include "files/graph_input.h"
+#include "io/model/pose_places.h"
 
 namespace boxplus::app {
 namespace {
@@ -60,6 +64,8 @@ std::vector<Field> fields_of(std::string_view line) {
 class PriorsFile {
  public:
   PriorsFile(std::string_view text, std::string name) : name_(std::move(name)) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     while (!text.empty()) {
       ++line_;
       const std::size_t end = std::min(text.find('\n'), text.size());
@@ -83,6 +89,9 @@ class PriorsFile {
     Row row;
     row.line = line_;
     row.image = fields[columns_.at("image")].text;
+    if (const auto [at, is_new] = lines_.try_emplace(row.image, line_); !is_new)
+      fail(fields[columns_.at("image")],
+           fmt::format("expected each image once, got the image of line {} again", at->second));
     row.position = vector("x", "y", "z");
     row.gravity = vector("gx", "gy", "gz");
     if (row.gravity) {
@@ -147,6 +156,7 @@ class PriorsFile {
   std::int64_t line_ = 0;
   std::map<std::string, std::size_t, std::less<>> columns_;
   const std::vector<Field>* fields_ = nullptr;
+  std::map<std::string, std::int64_t> lines_;  // of images
   std::vector<Row> rows_;
 };
 
@@ -156,29 +166,44 @@ const detail::TypedVertexPool<T>* pool_of(const Graph& graph, VertexRef vertex) 
   return dynamic_cast<const detail::TypedVertexPool<T>*>(graph.vertex_pools()[vertex.pool].get());
 }
 
+/// Where the pose of an image is in the graph: T_world_camera, or T_world_rig and T_rig_camera.
+struct ImagePose {
+  VertexHandle<SE3> pose;
+  std::optional<VertexHandle<SE3>> offset;
+
+  SE3 of(const Graph& graph) const {
+    return offset ? graph.estimate(pose) * graph.estimate(*offset) : graph.estimate(pose);
+  }
+};
+
 /// The poses of images, by their names or ids.
 class Images {
  public:
   explicit Images(const GraphFile& file) : graph_(file.graph) {
     if (!file.model) return;
-    for (const SparseModel::Image& image : file.model->images) ids_.emplace(image.name, image.id);
+    const std::vector<PosePlace> places = pose_places(*file.model);
+    for (std::size_t k = 0; k < places.size(); ++k) places_.emplace(file.model->images[k].name, places[k]);
   }
-  std::optional<VertexHandle<SE3>> find(const std::string& name) const {
+  std::optional<ImagePose> find(const std::string& name) const {
     Id id = 0;
-    if (const auto at = ids_.find(name); at != ids_.end()) {
-      id = at->second;
+    std::optional<Id> offset;
+    if (const auto at = places_.find(name); at != places_.end()) {
+      id = at->second.vertex;
+      offset = at->second.offset;
     } else {
       const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), id);
-      if (!ids_.empty() || error != std::errc() || stop != name.data() + name.size()) return std::nullopt;
+      if (!places_.empty() || error != std::errc() || stop != name.data() + name.size()) return std::nullopt;
     }
     const std::optional<VertexRef> vertex = graph_.find_vertex(id);
     if (!vertex || pool_of<SE3>(graph_, *vertex) == nullptr) return std::nullopt;
-    return graph_.vertex<SE3>(id);
+    ImagePose found{graph_.vertex<SE3>(id), std::nullopt};
+    if (offset) found.offset = graph_.parameter<SE3>(*offset);
+    return found;
   }
 
  private:
   const Graph& graph_;
-  std::map<std::string, Id> ids_;
+  std::map<std::string, PosePlace> places_;
 };
 
 struct Similarity {
@@ -218,20 +243,31 @@ void move(Graph& graph, const Similarity& motion) {
 
 struct Match {
   const Row* row;
-  VertexHandle<SE3> pose;
+  ImagePose pose;
 };
 
 const Vector3 kDown(0, 0, -1);
 
 /// Positions of images in the model, turned by a rotation, and the measured ones.
 struct Positions {
+  Positions() = default;
   Positions(const Graph& graph, const std::vector<Match>& matches, const Eigen::Matrix3d& rotation) {
     for (const auto& [row, pose] : matches) {
-      if (!row->position) continue;
-      for (Eigen::MatrixXd* points : {&from, &to}) points->conservativeResize(3, points->cols() + 1);
-      from.rightCols(1) = rotation * graph.estimate(pose).translation();
-      to.rightCols(1) = *row->position;
+      if (row->position) add(rotation * pose.of(graph).translation(), *row->position);
     }
+  }
+  void add(const Vector3& in_model, const Vector3& measured) {
+    for (Eigen::MatrixXd* points : {&from, &to}) points->conservativeResize(3, points->cols() + 1);
+    from.rightCols(1) = in_model;
+    to.rightCols(1) = measured;
+  }
+  /// Whether they are at least three, and not on a line.
+  bool determine_similarity() const {
+    constexpr int kLeast = 3;
+    constexpr double kFlat = 1e-3;  // the second extent, relative to the first
+    if (to.cols() < kLeast) return false;
+    const Eigen::VectorXd model = extents(from), world = extents(to);
+    return model[1] > kFlat * model[0] && world[1] > kFlat * world[0];
   }
   /// The extents along the principal axes of a set of points, the largest one first.
   static Eigen::VectorXd extents(const Eigen::MatrixXd& points) {
@@ -240,17 +276,62 @@ struct Positions {
   Eigen::MatrixXd from{3, 0}, to{3, 0};
 };
 
-/// The similarity that brings the positions of the model closest to the measured ones, if these determine it.
-std::optional<Similarity> from_positions(const Graph& graph, const std::vector<Match>& matches) {
-  const Positions positions(graph, matches, Eigen::Matrix3d::Identity());
-  constexpr int kLeast = 3;
-  constexpr double kFlat = 1e-3;  // the second extent, relative to the first
-  if (positions.to.cols() < kLeast) return std::nullopt;
-  for (const Eigen::MatrixXd* points : {&positions.from, &positions.to}) {
-    const Eigen::VectorXd extents = Positions::extents(*points);
-    if (!(extents[1] > kFlat * extents[0])) return std::nullopt;
+/// How far the positions of the model are from the measured ones after a motion.
+struct Distances {
+  Distances(const Positions& positions, const PointAlignment& motion) {
+    const Eigen::MatrixXd moved =
+        (motion.scale * motion.rotation * positions.from).colwise() + motion.translation;
+    all = (moved - positions.to).colwise().norm();
+    std::vector<double> sorted(all.begin(), all.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    median = *middle;
   }
-  const PointAlignment found = align_points(positions.from, positions.to, true);
+  Eigen::VectorXd all;
+  double median = 0;
+};
+
+/// The motion with the smallest median distance, of those that bring three positions together.
+std::optional<PointAlignment> align_triples(const Positions& positions) {
+  constexpr int kMostTriples = 500;
+  std::mt19937 random(0);  // the same triples in every run
+  std::uniform_int_distribution<Eigen::Index> any(0, positions.to.cols() - 1);
+  std::optional<PointAlignment> best;
+  double best_median = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kMostTriples; ++k) {
+    const std::array<Eigen::Index, 3> triple{any(random), any(random), any(random)};
+    Positions three;
+    for (const Eigen::Index i : triple) three.add(positions.from.col(i), positions.to.col(i));
+    if (!three.determine_similarity()) continue;
+    const PointAlignment motion = align_points(three.from, three.to, true);
+    const double median = Distances(positions, motion).median;
+    if (median < best_median) best_median = median, best = motion;
+  }
+  return best;
+}
+
+/// The similarity that brings the positions of the model closest to the measured ones, if these determine it.
+/// Positions that are much farther away than most do not count.
+std::optional<Similarity> from_positions(const Graph& graph, const std::vector<Match>& matches,
+                                         PositionPriors& facts) {
+  const Positions positions(graph, matches, Eigen::Matrix3d::Identity());
+  if (!positions.determine_similarity()) return std::nullopt;
+  PointAlignment found = align_triples(positions).value_or(align_points(positions.from, positions.to, true));
+  constexpr int kRounds = 10;
+  constexpr double kFar = 3;  // times the median distance
+  constexpr double kRounding = 1e-9;
+  const double least = kRounding * Positions::extents(positions.to)[0];
+  for (int round = 0; round < kRounds; ++round) {
+    const Distances distances(positions, found);
+    Positions near;
+    for (Eigen::Index k = 0; k < distances.all.size(); ++k) {
+      if (distances.all[k] <= std::max(kFar * distances.median, least))
+        near.add(positions.from.col(k), positions.to.col(k));
+    }
+    if (!near.determine_similarity()) break;
+    facts.far = static_cast<std::size_t>(positions.to.cols() - near.to.cols());
+    found = align_points(near.from, near.to, true);
+  }
   return Similarity{found.scale, found.rotation, found.translation};
 }
 
@@ -259,7 +340,7 @@ std::optional<Similarity> from_positions(const Graph& graph, const std::vector<M
 std::optional<Similarity> from_directions(const Graph& graph, const std::vector<Match>& matches) {
   Vector3 sum = Vector3::Zero();
   for (const auto& [row, pose] : matches) {
-    if (row->gravity) sum += graph.estimate(pose).rotation() * *row->gravity;
+    if (row->gravity) sum += pose.of(graph).rotation() * *row->gravity;
   }
   if (!(sum.norm() > 0)) return std::nullopt;
   Similarity motion{1, Eigen::Quaterniond::FromTwoVectors(sum, kDown).toRotationMatrix(), Vector3::Zero()};
@@ -273,6 +354,39 @@ std::optional<Similarity> from_directions(const Graph& graph, const std::vector<
   motion.translation.head<2>() = turn.translation;
   motion.translation[2] = (positions.to.row(2) - turn.scale * positions.from.row(2)).mean();
   return motion;
+}
+
+void add_edges(Graph& graph, const std::vector<Match>& matches, PositionPriors& facts) {
+  std::optional<VertexHandle<S2>> down;
+  std::map<VertexRef, VertexHandle<Vector3>> arms;  // of the offsets of sensors
+  for (const auto& [row, image] : matches) {
+    if (row->position) {
+      const Vector3 weights = row->sigma.cwiseAbs2().cwiseInverse();
+      const Information information = Information::diagonal({weights.data(), 3});
+      if (image.offset) {
+        auto arm = arms.find(*image.offset);
+        if (arm == arms.end()) {
+          const Vector3 place = graph.estimate(*image.offset).translation();
+          arm = arms.emplace(*image.offset, graph.add_parameter(place)).first;
+        }
+        graph.add_edge(OffsetPositionPrior(*row->position), information, image.pose, arm->second);
+      } else {
+        graph.add_edge(PositionPrior(*row->position), information, image.pose);
+      }
+      ++facts.positions;
+    }
+    if (row->gravity) {
+      if (!down) down = graph.add_parameter(S2(kDown));
+      const DirectionObservation observation{S2(*row->gravity)};
+      const Information information(1 / (row->gravity_sigma * row->gravity_sigma));
+      if (image.offset) {
+        graph.add_edge(observation, information, image.pose, *down, *image.offset);
+      } else {
+        graph.add_edge(observation, information, image.pose, *down);
+      }
+      ++facts.directions;
+    }
+  }
 }
 
 }  // namespace
@@ -291,7 +405,7 @@ PositionPriors add_position_priors(GraphFile& file, const std::string& path) {
     }
   }
   Graph& graph = file.graph;
-  std::optional<Similarity> motion = from_positions(graph, matches);
+  std::optional<Similarity> motion = from_positions(graph, matches, facts);
   if (!motion) motion = from_directions(graph, matches);
   if (!motion) {
     throw InvalidArgument(fmt::format(
@@ -301,22 +415,7 @@ PositionPriors add_position_priors(GraphFile& file, const std::string& path) {
   }
   move(graph, *motion);
   facts.scale = motion->scale;
-  std::optional<VertexHandle<S2>> down;
-  for (const auto& [row, pose] : matches) {
-    if (row->position) {
-      const std::array<double, 3> weights{1 / (row->sigma[0] * row->sigma[0]),
-                                          1 / (row->sigma[1] * row->sigma[1]),
-                                          1 / (row->sigma[2] * row->sigma[2])};
-      graph.add_edge(PositionPrior(*row->position), Information::diagonal(weights), pose);
-      ++facts.positions;
-    }
-    if (row->gravity) {
-      if (!down) down = graph.add_parameter(S2(kDown));
-      graph.add_edge(DirectionObservation(S2(*row->gravity)),
-                     Information(1 / (row->gravity_sigma * row->gravity_sigma)), pose, *down);
-      ++facts.directions;
-    }
-  }
+  add_edges(graph, matches, facts);
   return facts;
 }
 

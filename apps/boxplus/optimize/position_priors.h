@@ -13,6 +13,7 @@ namespace boxplus::app {
 struct PositionPriors {
   std::size_t positions = 0, directions = 0;  ///< edges
   std::size_t others = 0;                     ///< rows whose images the model does not have
+  std::size_t far = 0;                        ///< positions that did not count for the motion
   double scale = 1;                           ///< by which the model became larger
 };
 
@@ -26,8 +27,10 @@ struct PositionPriors {
 ///                               deviation in radians (0.02 if there is no such column)
 ///
 /// A row may leave its position or its direction empty. Throws FileError or InputError for a file that cannot
-/// be read, and InvalidArgument if the priors do not determine the similarity: without directions, positions
-/// of three images that are not on a line; without positions, one direction, which turns the model upright.
+/// be read or names an image twice, and InvalidArgument if the priors do not determine the similarity:
+/// without directions, positions of three images that are not on a line; without positions, one direction,
+/// which turns the model upright. Positions that are more than three times as far from the moved model as
+/// most do not count for the motion.
 PositionPriors add_position_priors(GraphFile& file, const std::string& path);
 
 }  // namespace boxplus::app

@@ -159,6 +159,7 @@ Json priors_json(const std::optional<PositionPriors>& priors) {
   return {{"positions", priors->positions},
           {"directions", priors->directions},
           {"unknown_images", priors->others},
+          {"far_positions", priors->far},
           {"scale", priors->scale}};
 }
 
