@@ -84,7 +84,7 @@ class DistributedRun {
       return guess(start);
     });
     Report& report = distribution_.report;
-    for (const detail::GaugeVertex& held : held_) report.gauge.held.push_back(held.id);
+    add_gauge(report);
     std::exception_ptr refusal;
     communicator_.together([&] { refusal = write(); });
     if (refusal) std::rethrow_exception(refusal);
@@ -125,10 +125,12 @@ class DistributedRun {
     fixed_.emplace(graph, arguments_);
     options_ = arguments_.options;
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
-    if (options_.gauge == GaugePolicy::kFixFirst) {
-      held_ = find_active_set(graph, {.level = options_.level, .vertices = options_.vertices}).gauge.held;
-      for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
-    }
+    const PlanRequest request{
+        .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
+    const Gauge gauge = find_active_set(graph, request).gauge;
+    held_ = gauge.held;
+    freedoms_ = gauge.freedoms;
+    for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
     options_.edges = mpi::edges_of_part(graph, communicator_.rank(), communicator_.size());
     if (!arguments_.output.empty()) results_.emplace(graph, options_.edges);
     if (communicator_.is_first() && arguments_.verbose) {
@@ -149,6 +151,13 @@ class DistributedRun {
     const auto entry = std::ranges::find(table, start, &detail::StartEntry::start);
     return entry != table.end() && entry->guess != nullptr &&
            entry->guess(graph, make_plan(graph, request), {.threads = options_.threads}).made;
+  }
+
+  /// Reports the gauge freedom of the whole graph.
+  void add_gauge(Report& report) const {
+    for (const detail::GaugeVertex& held : held_) report.gauge.held.push_back(held.id);
+    report.gauge.free = freedoms_;
+    for (const detail::GaugeFreedom& freedom : freedoms_) report.degrees_of_freedom += freedom.directions;
   }
 
   /// Collects the results, and writes them in the first process.
@@ -182,6 +191,7 @@ class DistributedRun {
   std::optional<GraphFile> file_;
   std::optional<FixForRun> fixed_;
   std::vector<detail::GaugeVertex> held_;
+  std::vector<detail::GaugeFreedom> freedoms_;  // while these are held
   std::optional<Results> results_;
   RunFacts facts_;
   Distribution distribution_;
