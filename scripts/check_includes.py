@@ -81,8 +81,8 @@ CIRCLES = {
         "Every pool of these edges must find the kernels in the library, which are declared for these edges.",
 }
 
-SEARCHED = ("include", "src", "g2o/include", "g2o/src", "plugins/petsc/include", "plugins/petsc/src", "apps/boxplus",
-            "apps/g2o_programs")
+SEARCHED = ("include", "src", "g2o/include", "g2o/src", "plugins/mpi/include", "plugins/mpi/src", "plugins/petsc/include",
+            "plugins/petsc/src", "apps/boxplus", "apps/boxplus_mpi", "apps/g2o_programs")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 BEFORE_UNIT = re.compile(r"(?:include/boxplus|src|(g2o/)(?:include/g2o|src))/")
 

@@ -28,6 +28,7 @@ MAY_INCLUDE = {
     "include": EIGEN,
     "src": (*EIGEN, "fmt/", "fast_float/", "zlib.h", "amd.h", "camd.h"),
     "viewer": (*EIGEN, "fmt/", "httplib.h", "nlohmann/"),
+    "plugins/mpi": ("mpi.h",),
     "plugins/petsc": ("mpi.h", "petscksp.h", "petscmat.h", "petscsys.h"),
     "python/src": (*EIGEN, "pybind11/"),
     "apps": (*EIGEN, "fmt/", "CLI/", "nlohmann/", "cairo.h", "cairo-pdf.h", "zlib.h"),

@@ -82,8 +82,8 @@ Descent::Descent(Graph& graph, RunSystem& system, Algorithm& algorithm, const Op
       stop_(stop),
       clock_(clock),
       records_(records),
-      degrees_of_freedom_(system.sum(static_cast<double>(count_edges(graph, system.plan()).rows) -
-                                     system.plan().free_scalars())) {}
+      degrees_of_freedom_(
+          system.sum(static_cast<double>(count_edges(graph, system.plan()).rows) - system.unknowns())) {}
 
 RunResult Descent::run(double chi2) {
   return run_while([](const IterationRecord&) { return true; }, chi2);
@@ -176,8 +176,7 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
 
 RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
-  Significance significance(options_.noise_tolerance, degrees_of_freedom_,
-                            system_.sum(system_.plan().free_scalars()));
+  Significance significance(options_.noise_tolerance, degrees_of_freedom_, static_cast<double>(unknowns()));
   for (int iteration = 0;; ++iteration) {
     if (is_stopped()) return {Report::Status::kNotConverged, reason_of(stop()), chi2, iteration};
     if (iteration >= most)

@@ -103,9 +103,7 @@ class Descent {
   RunResult iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
   /// The number of unknowns of all processes that share the problem.
-  std::size_t unknowns() const {
-    return static_cast<std::size_t>(system_.sum(static_cast<double>(system_.gradient().size())));
-  }
+  std::size_t unknowns() const { return static_cast<std::size_t>(system_.sum(system_.unknowns())); }
 
   Graph& graph_;
   RunSystem& system_;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vector_math.h"
+#include "system/whole_vector.h"
 
 namespace boxplus {
 namespace {
@@ -18,9 +18,9 @@ namespace {
 constexpr double kFlat = 1e-20;
 
 /// Whether all Jacobians of any scalar are zero.
-bool has_flat_scalar(std::span<const double> diagonal) {
-  const double limit = kFlat * max_abs(diagonal);
-  return std::any_of(diagonal.begin(), diagonal.end(), [&](double entry) { return entry <= limit; });
+bool has_flat_scalar(const RunSystem& system) {
+  const double limit = kFlat * max_abs(system, system.diagonal());
+  return any(system, std::ranges::any_of(system.diagonal(), [&](double entry) { return entry <= limit; }));
 }
 
 /// A step along all scalars whose Jacobians are zero. Its length differs between vertices, so that two
@@ -32,7 +32,7 @@ Displacement fill_step(const RunSystem& system, std::vector<double>& step) {
   const std::span<const double> diagonal = system.diagonal();
   const std::vector<std::uint32_t>& fixed = system.plan().fixed_scalars;
   const BlockStructure& structure = system.plan().structure;
-  const double limit = kFlat * max_abs(diagonal);
+  const double limit = kFlat * max_abs(system, diagonal);
   Displacement result;
   for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
     double whole = 0, length = kLength * (0.5 + std::modf(kGoldenRatio * block, &whole));
@@ -43,19 +43,21 @@ Displacement fill_step(const RunSystem& system, std::vector<double>& step) {
       ++result.directions;
     }
   }
+  result.directions = static_cast<int>(system.sum(result.directions));
   return result;
 }
 
 /// Takes back the displacement of scalars that still have no Jacobians, because nothing measures them.
 void take_back_unmeasured(RunSystem& system, std::vector<double>& step, Displacement& result) {
   if (!system.linearize()) return;
-  const double limit = kFlat * max_abs(system.diagonal());
+  const double limit = kFlat * max_abs(system, system.diagonal());
   int unmeasured = 0;
   for (std::size_t i = 0; i < step.size(); ++i) {
     const bool takes_back = step[i] != 0 && system.diagonal()[i] <= limit;
     step[i] = takes_back ? -step[i] : 0;
     unmeasured += takes_back;
   }
+  unmeasured = static_cast<int>(system.sum(unmeasured));
   if (unmeasured == 0) return;
   const double chi2 = system.try_step(step);
   if (!(chi2 <= result.chi2 + kRounding * result.chi2)) return system.reject();
@@ -67,7 +69,7 @@ void take_back_unmeasured(RunSystem& system, std::vector<double>& step, Displace
 
 Displacement leave_flat_directions(RunSystem& system, double chi2) {
   const Displacement none{chi2, 0};
-  if (!has_flat_scalar(system.diagonal()) || !system.linearize()) return none;
+  if (!has_flat_scalar(system) || !system.linearize()) return none;
   std::vector<double> step(system.plan().scalars());
   Displacement result = fill_step(system, step);
   if (result.directions == 0) return none;

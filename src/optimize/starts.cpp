@@ -10,6 +10,7 @@
 #include "guess/start_table.h"
 #include "optimize/stuck.h"
 #include "system/planned_system.h"
+#include "system/whole_vector.h"
 
 namespace boxplus {
 namespace {
@@ -57,7 +58,7 @@ bool keeps_prediction(const IterationRecord& step) {
 
 /// Whether any active edge has a robust kernel. Robust kernels limit chi2 and flatten the quadratic model, so
 /// neither chi2 nor the model shows how close a minimum is.
-bool has_robust_kernels(const Graph& graph, const Plan& plan) {
+bool has_robust_kernels_here(const Graph& graph, const Plan& plan) {
   for (const EdgeList& list : plan.edges) {
     const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
@@ -67,21 +68,31 @@ bool has_robust_kernels(const Graph& graph, const Plan& plan) {
   return false;
 }
 
+bool has_robust_kernels(Descent& descent) {
+  return any(descent.system(), has_robust_kernels_here(descent.graph(), descent.system().plan()));
+}
+
+bool eliminates(Descent& descent) {
+  return any(descent.system(), descent.system().plan().eliminated_blocks > 0);
+}
+
 /// Whether a run has converged although noise does not explain its chi2, and some of its edges may be stuck:
 /// points are eliminated, and a few edges have most of chi2, or damping shortened the last step.
 bool may_be_stuck(Descent& descent, const RunResult& result) {
   constexpr double kLarge = 1;  // λD is as large as H
   return result.status == Report::Status::kConverged && descent.may_go_on() &&
-         descent.options().algorithm == AlgorithmKind::kAutomatic &&
-         descent.system().plan().eliminated_blocks > 0 && !descent.is_plausible(result.chi2) &&
-         (few_edges_dominate(descent.graph(), descent.system().plan()) ||
+         descent.options().algorithm == AlgorithmKind::kAutomatic && eliminates(descent) &&
+         !descent.is_plausible(result.chi2) &&
+         (few_edges_dominate(descent.graph(), descent.system()) ||
           (!descent.records().empty() && descent.records().back().lambda > kLarge));
 }
 
 class StartSearch {
  public:
-  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, StartMemory& memory)
+  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, StartMemory& memory,
+              const MakeGuess& guess)
       : descent_(descent),
+        guess_(guess),
         report_(report),
         guess_seconds_(guess_seconds),
         original_(memory.original),
@@ -111,7 +122,7 @@ class StartSearch {
   /// The result, or a better one of a run from the original estimates if unknowns have lost their influence.
   RunResult confirmed(const RunResult& result) {
     const bool may_be_far =
-        is_automatic() && plan().eliminated_blocks == 0 && !ran_carefully_ && descent_.has_lost_influence();
+        is_automatic() && !ran_carefully_ && !eliminates(descent_) && descent_.has_lost_influence();
     return may_be_far && !is_interruption(result.reason) && descent_.may_go_on() ? run_carefully(result)
                                                                                  : result;
   }
@@ -121,7 +132,7 @@ class StartSearch {
   /// far points hardly move. Then continues from the better result.
   RunResult run_current(double chi2) {
     // Points are eliminated: a run far from the minimum may leave some of them behind cameras or at infinity.
-    if (!is_automatic() || plan().eliminated_blocks == 0) return descent_.run(chi2);
+    if (!is_automatic() || !eliminates(descent_)) return descent_.run(chi2);
     Crawl crawl;
     bool gave_up = false;
     const RunResult result = descent_.run_while(
@@ -151,7 +162,9 @@ class StartSearch {
     return is_interruption(best.reason) || !descent_.may_go_on() ? best : descent_.run(best.chi2);
   }
 
-  bool is_stuck(double chi2) { return !descent_.is_plausible(chi2) && few_edges_dominate(graph(), plan()); }
+  bool is_stuck(double chi2) {
+    return !descent_.is_plausible(chi2) && few_edges_dominate(graph(), descent_.system());
+  }
 
   RunResult run_from_guess(Start start) {
     if (!make_guess(start)) return run_current(chi2_original_);
@@ -174,8 +187,7 @@ class StartSearch {
   /// runs from the other start.
   RunResult run_automatically() {
     double chi2 = chi2_original_;
-    if (std::isfinite(chi2) && descent_.options().max_iterations > 1 &&
-        !has_robust_kernels(graph(), plan())) {
+    if (std::isfinite(chi2) && descent_.options().max_iterations > 1 && !has_robust_kernels(descent_)) {
       bool gave_up = false;
       const RunResult result = try_current(gave_up);
       const bool is_good = result.status == Report::Status::kConverged && descent_.is_plausible(result.chi2);
@@ -232,7 +244,7 @@ class StartSearch {
       fallback_.put_back(graph(), plan());
     }
     report_.used = guess_first ? Start::kChordal : Start::kCurrent;
-    const bool leaves_iterations = std::isfinite(other.chi2) && has_robust_kernels(graph(), plan());
+    const bool leaves_iterations = std::isfinite(other.chi2) && has_robust_kernels(descent_);
     const RunResult first =
         run_for(share_of_iterations(leaves_iterations), guess_first ? chi2_guess : chi2_current);
     const bool is_good = first.status == Report::Status::kConverged && !(first.chi2 > other.chi2);
@@ -296,8 +308,8 @@ class StartSearch {
   }
 
   bool try_guess(Start start) {
-    if (descent_.limit().raised()) return false;
-    if (!plan().fixed_scalars.empty()) {
+    if (any(descent_.system(), descent_.limit().raised())) return false;
+    if (any(descent_.system(), !plan().fixed_scalars.empty())) {
       report_.note = "no guess was made, because it would change fixed directions of vertices";
       return false;
     }
@@ -310,9 +322,9 @@ class StartSearch {
       const GuessLimits limits{descent_.limit(), descent_.options().max_factor_bytes,
                                resolved_threads(descent_.options()),
                                descent_.system().facts().elimination_order};
-      const GuessResult guess = guess_by(start, graph(), plan(), limits);
+      const GuessResult guess = guess_ ? guess_(start, limits) : guess_by(start, graph(), plan(), limits);
       report_.note = guess.note;
-      if (!guess.made) return false;
+      if (any(descent_.system(), !guess.made)) return false;
     }
     const double chi2 = descent_.system().chi2();
     if (descent_.system().stopped()) return false;
@@ -321,6 +333,7 @@ class StartSearch {
   }
 
   Descent& descent_;
+  const MakeGuess& guess_;
   Report::StartReport& report_;
   double& guess_seconds_;
   Estimates& original_;  // if is_automatic()
@@ -332,16 +345,16 @@ class StartSearch {
 }  // namespace
 
 RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
-                               StartMemory& memory) {
+                               StartMemory& memory, const MakeGuess& guess) {
   constexpr double kNoticeable = 0.01;
-  RunResult result = StartSearch(descent, report, guess_seconds, memory).run();
+  RunResult result = StartSearch(descent, report, guess_seconds, memory, guess).run();
   for (bool gains = true; gains && may_be_stuck(descent, result);) {
     // Whoever repeats the run must not gain noticeably.
     const double before = result.chi2;
     Report::StartReport again;
     again.chi2_current = before;
     std::vector<IterationRecord> records = std::exchange(descent.records(), {});
-    result = StartSearch(descent, again, guess_seconds, memory).run();
+    result = StartSearch(descent, again, guess_seconds, memory, guess).run();
     for (IterationRecord& record : descent.records()) {
       record.iteration = static_cast<int>(records.size()) + 1;
       records.push_back(record);

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "plan/plan.h"
+#include "system/run_system.h"
 
 namespace boxplus {
 
@@ -29,6 +29,6 @@ class Crawl {
 
 /// Whether a few enabled active edges have most of chi2. If noise alone makes chi2 large, because Ω is too
 /// large, all edges have similar shares. O(edges).
-bool few_edges_dominate(const Graph& graph, const Plan& plan);
+bool few_edges_dominate(const Graph& graph, const RunSystem& system);
 
 }  // namespace boxplus

@@ -42,14 +42,14 @@ void FactoredStep::linearize_only() {
   if (model_.stores_all_columns()) {
     linearizer.linearize(model_.options);
     if (linearizer.stopped()) return;
-    model_.collect(0, model_.plan.structure.blocks(), linearizer.values().data());
+    model_.collect(0, model_.plan.eliminated_blocks, linearizer.values().data());
   } else {
     linearizer.linearize(model_.options, solver_.slices(), [&](const Linearizer::Batch& batch) {
       model_.collect(batch.first, batch.last, batch.values);
     });
     if (linearizer.stopped()) return;
-    model_.collect_kept();
   }
+  model_.collect_kept();
   model_.diagonal.find_floor();
 }
 

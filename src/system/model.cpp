@@ -59,6 +59,7 @@ void Model::collect(std::uint32_t first, std::uint32_t last, const double* value
 void Model::collect_kept() {
   const auto kept = linearizer.values().last(plan.shared_values());
   collect(plan.eliminated_blocks, plan.structure.blocks(), kept.data());
+  if (add_other_processes) add_other_processes();
 }
 
 SolveControl Model::control_with_right_hand_side() const {

@@ -3,6 +3,7 @@
 // H.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,7 +34,7 @@ struct Model {
   /// Sets the gradient, the diagonal of H, the scale and the right-hand side for the blocks [first, last),
   /// whose columns begin with `values`.
   void collect(std::uint32_t first, std::uint32_t last, const double* values);
-  /// The same for the blocks that are not eliminated.
+  /// The same for the blocks that are not eliminated. To be called last.
   void collect_kept();
   SolveControl control_with_right_hand_side() const;
 
@@ -61,6 +62,10 @@ struct Model {
   LinearizeOptions options;
   SolveControl control;
   detail::Timings* timings = nullptr;
+  /// If several processes share the problem: called when a linearization has set the gradient and the
+  /// diagonal of H of the edges of this process. Adds those of the other processes. The right-hand side stays
+  /// that of this process.
+  std::function<void()> add_other_processes;
 
  private:
   std::vector<double> product_;  // of curvature()

@@ -28,6 +28,9 @@ class RunSystem : public System {
   virtual Facts facts() const = 0;
   /// The vertices and edges that take part.
   virtual const Plan& plan() const = 0;
+  /// The number of unknowns of this process. If several processes share the problem, each unknown belongs to
+  /// one of them.
+  virtual std::uint32_t unknowns() const { return plan().free_scalars(); }
   virtual const LinearizeOptions& linearize_options() const = 0;
   /// Computations end soon when the token is raised.
   virtual void set_stop(const StopToken& stop) = 0;

@@ -23,7 +23,7 @@
 #include "optimize/outlier_search.h"
 #include "optimize/petsc_plugin.h"
 #include "optimize/report_json.h"
-#include "settings/setting_table.h"
+#include "optimize/run_steps.h"
 #include "view/live_view.h"
 
 namespace boxplus::app {
@@ -35,32 +35,6 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-int exit_code(Report::Status status) {
-  switch (status) {
-    case Report::Status::kConverged:
-      return kSuccess;
-    case Report::Status::kNotConverged:
-      return kNotConverged;
-    default:
-      return kNumericalFailure;
-  }
-}
-
-/// Throws if an option is given that has no meaning, because another option has not the value that it needs.
-void require_needed_values(const CLI::App& command) {
-  for (const Setting& setting : setting_table()) {
-    if (setting.needed_value.empty() || command.count("--" + setting.name) == 0) continue;
-    const std::string needed = "--" + setting.needed_setting;
-    if (command.count(needed) == 0 || command.get_option(needed)->as<std::string>() != setting.needed_value)
-      throw CLI::RequiresError("--" + setting.name, needed + " " + setting.needed_value);
-  }
-}
-
-void require_edges(const GraphFile& file, const std::string& path) {
-  if (file.graph.edge_count() == 0)
-    throw InputError(input_name(path), file.lines + 1, 1, "expected an edge, got the end of the file");
-}
-
 /// Certifies a converged result, and the better one if there is one.
 void certify_result(Graph& graph, const OptimizeArguments& arguments, const Report& report, RunFacts& facts,
                     Progress& progress) {
@@ -69,30 +43,6 @@ void certify_result(Graph& graph, const OptimizeArguments& arguments, const Repo
   if (facts.certificate->verdict != Certificate::Verdict::kLocalMinimum) return;
   const double spent_s = report.time.total_s + facts.certificate->time_s;
   facts.of_better = run_certify(graph, arguments, spent_s, progress);
-}
-
-/// Writes the result. If its format cannot hold the new estimates, writes JSON beside it, so that no result
-/// is lost, unless the user wants to know by the exit code: then returns the error.
-std::exception_ptr save_result(const OptimizeArguments& arguments, const GraphFile& file, RunFacts& facts) {
-  try {
-    save_graph(arguments.output, file, {}, arguments.quiet);
-    facts.output = arguments.output;
-    return nullptr;
-  } catch (const InvalidArgument& error) {
-    std::exception_ptr refusal = std::current_exception();
-    if (arguments.strict_output || arguments.output == kStandardStream) return refusal;
-    std::string name = arguments.output;
-    while (name.ends_with('/')) name.pop_back();
-    name += ".json";
-    try {
-      save_graph(name, file, {}, arguments.quiet);
-    } catch (const InvalidArgument&) {
-      return refusal;
-    }
-    print_message(fmt::format("{}: {}; wrote {} instead", arguments.output, error.what(), name));
-    facts.output = name;
-    return nullptr;
-  }
 }
 
 void note_priors(const PositionPriors& priors, const std::string& path) {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The `boxplus-mpi` command: `boxplus optimize` in several processes, which mpirun starts.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+
+#include "command.h"
+#include "command_line/help_format.h"
+#include "command_line/message.h"
+#include "command_line/usage_error.h"
+#include "communicator.h"
+#include "files/clean_end.h"
+#include "files/standard_streams.h"
+#include "optimize.h"
+
+namespace boxplus::app {
+namespace {
+
+int parse_and_run(int argc, char** argv, mpi::Communicator& communicator) {
+  CLI::App app{"Nonlinear least squares on graphs, in several processes", "boxplus-mpi"};
+  app.formatter(std::make_shared<HelpFormat>());
+  app.set_help_flag("-h,--help", "Show this help");
+  app.set_version_flag("--version", "boxplus " BOXPLUS_VERSION, "Show the version");
+  app.require_subcommand(1);
+  Action action;
+  add_distributed_optimize(app, action, communicator);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    print_message(usage_message(app, error));
+    return kBadInput;
+  }
+  return action();
+}
+
+/// Only the first process prints: the others fail with the same messages.
+int run(int argc, char** argv) {
+  mpi::Communicator communicator(MPI_COMM_WORLD);
+  if (!communicator.is_first()) {
+    for (std::FILE* stream : {stdout, stderr}) {
+      if (std::freopen("/dev/null", "w", stream) == nullptr) return kBadInput;
+    }
+  }
+  try {
+    const int code = parse_and_run(argc, argv, communicator);
+    if (std::fflush(stdout) == 0) return code;
+    print_message("cannot write to standard output");
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    print_message("not enough memory in one of the processes");
+    return kNumericalFailure;
+  } catch (const std::exception& error) {
+    print_message(error.what());
+    return kBadInput;
+  }
+}
+
+}  // namespace
+}  // namespace boxplus::app
+
+int main(int argc, char** argv) {
+  boxplus::app::reserve_standard_streams();
+  MPI_Init(&argc, &argv);
+  boxplus::app::end_cleanly_on_signals();
+  std::signal(SIGXFSZ, SIG_IGN);  // so that exceeding `ulimit -f` is a write error, like a full disk
+  const int code = boxplus::app::run(argc, argv);
+  MPI_Finalize();
+  return code;
+}

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "boxplus/base/error.h"
+#include "boxplus/mpi/distributed_optimizer.h"
+#include "command_line/message.h"
+#include "divide_graph.h"
+#include "files/graph_input.h"
+#include "files/interrupt.h"
+#include "files/outputs.h"
+#include "guess/start_table.h"
+#include "memory.h"
+#include "optimize/fix_for_run.h"
+#include "optimize/optimize_options.h"
+#include "optimize/optimize_report.h"
+#include "optimize/optimize_run.h"
+#include "optimize/report_json.h"
+#include "optimize/run_steps.h"
+#include "plan/active_set.h"
+#include "results.h"
+
+namespace boxplus::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// What the processes have in common, for the report.
+struct Distribution {
+  DistributedReport report;
+  std::vector<std::uint64_t> peak_bytes, edges;  ///< of each process
+  std::uint64_t sent_per_iteration = 0;
+};
+
+std::string distribution_text(const Distribution& distribution) {
+  constexpr double kMebi = 1 << 20;
+  std::string memory;
+  for (const std::uint64_t bytes : distribution.peak_bytes)
+    memory += fmt::format("{}{:.1f}", memory.empty() ? "" : ", ", static_cast<double>(bytes) / kMebi);
+  return fmt::format(
+      "\n{} process{} shared the problem; each solved for all {} vertices that are not eliminated.\n"
+      "Peak memory per process: {} MiB. Sent per iteration: {:.2f} MiB in all.\n",
+      distribution.report.processes, distribution.report.processes == 1 ? "" : "es", distribution.report.kept,
+      memory, static_cast<double>(distribution.sent_per_iteration) / kMebi);
+}
+
+/// The report of `boxplus optimize`, with a member for the processes.
+std::string distributed_json(const Distribution& distribution, const RunFacts& facts) {
+  auto json = nlohmann::ordered_json::parse(report_json(distribution.report, facts));
+  json["distribution"] = {{"processes", distribution.report.processes},
+                          {"kept", distribution.report.kept},
+                          {"edges_per_process", distribution.edges},
+                          {"peak_bytes_per_process", distribution.peak_bytes},
+                          {"sent_bytes", distribution.report.all_sent_bytes},
+                          {"sent_bytes_per_iteration", distribution.sent_per_iteration}};
+  return json.dump(2) + "\n";
+}
+
+class DistributedRun {
+ public:
+  DistributedRun(OptimizeArguments arguments, mpi::Communicator& communicator)
+      : arguments_(std::move(arguments)), communicator_(communicator) {}
+
+  int run(const std::string& command_line) {
+    communicator_.together([&] { read(command_line); });
+    const Interrupt interrupt;
+    options_.stop = Interrupt::flag();
+    distribution_.report = DistributedOptimizer(MPI_COMM_WORLD, file_->graph, options_).run([&](Start start) {
+      return guess(start);
+    });
+    Report& report = distribution_.report;
+    add_gauge(report);
+    std::exception_ptr refusal;
+    communicator_.together([&] { refusal = write(); });
+    if (refusal) std::rethrow_exception(refusal);
+    return exit_code(report.status);
+  }
+
+ private:
+  void read(const std::string& command_line) {
+    const std::vector<std::string> lines = communicator_.gather(command_line);
+    for (std::size_t rank = 1; rank < lines.size(); ++rank) {
+      if (lines[rank] != lines[0])
+        throw InvalidArgument(
+            fmt::format("the arguments differ between processes: '{}' in process 0, but '{}' "
+                        "in process {}",
+                        lines[0], lines[rank], rank));
+    }
+    if (communicator_.is_first()) {
+      check_outputs(outputs_of(arguments_));
+      refuse_to_replace({"--json", arguments_.json}, {arguments_.input});
+    }
+    file_ = read_input(arguments_.input, arguments_.reading);
+    if (communicator_.is_first()) print_notes(*file_, arguments_.input);
+    require_edges(*file_, arguments_.input);
+    if (communicator_.is_first()) require_representable(arguments_.output, *file_);
+    facts_.input = input_name(arguments_.input);
+    facts_.edges = file_->graph.edge_count();
+    facts_.skipped_lines = file_->skipped;
+    facts_.indefinite_edges = file_->indefinite;
+    set_pixel_sigma(file_->graph, arguments_);
+    facts_.kernel = set_kernels(file_->graph, arguments_);
+    prepare();
+    facts_.load_s = seconds_since(begin_);
+  }
+
+  /// Fixes what is fixed in this run, makes the initial guess, and chooses the edges of this process.
+  void prepare() {
+    Graph& graph = file_->graph;
+    fixed_.emplace(graph, arguments_);
+    options_ = arguments_.options;
+    options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
+    const PlanRequest request{
+        .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
+    const Gauge gauge = find_active_set(graph, request).gauge;
+    held_ = gauge.held;
+    freedoms_ = gauge.freedoms;
+    for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
+    options_.edges = mpi::edges_of_part(graph, communicator_.rank(), communicator_.size());
+    if (!arguments_.output.empty()) results_.emplace(graph, options_.edges);
+    if (communicator_.is_first() && arguments_.verbose) {
+      options_.callback = [](const IterationRecord& record) {
+        write_to_stderr(fmt::format("iteration {:3}  chi2 {:<13.7g}  step {:<10.3e}  {:.2f} s\n",
+                                    record.iteration, record.chi2, record.step_max, record.time_s));
+        return true;
+      };
+    }
+  }
+
+  /// Replaces the estimates by an initial guess, which every process computes for the whole graph.
+  bool guess(Start start) {
+    Graph& graph = file_->graph;
+    const PlanRequest request{
+        .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
+    const auto table = detail::start_table();
+    const auto entry = std::ranges::find(table, start, &detail::StartEntry::start);
+    return entry != table.end() && entry->guess != nullptr &&
+           entry->guess(graph, make_plan(graph, request), {.threads = options_.threads}).made;
+  }
+
+  /// Reports the gauge freedom of the whole graph.
+  void add_gauge(Report& report) const {
+    for (const detail::GaugeVertex& held : held_) report.gauge.held.push_back(held.id);
+    report.gauge.free = freedoms_;
+    for (const detail::GaugeFreedom& freedom : freedoms_) report.degrees_of_freedom += freedom.directions;
+  }
+
+  /// Collects the results, and writes them in the first process.
+  std::exception_ptr write() {
+    DistributedReport& report = distribution_.report;
+    Graph& graph = file_->graph;
+    distribution_.peak_bytes = communicator_.gather(std::vector{memory_of_process().peak});
+    distribution_.edges = communicator_.gather(std::vector{std::uint64_t{report.own_edges}});
+    distribution_.sent_per_iteration =
+        report.all_sent_bytes / static_cast<std::uint64_t>(std::max(1, report.iterations));
+    if (results_) results_->collect(graph, communicator_);
+    for (const detail::GaugeVertex& held : held_) graph.unfix(held.vertex);
+    fixed_.reset();
+    if (!communicator_.is_first()) return nullptr;
+    const std::exception_ptr refusal =
+        arguments_.output.empty() ? nullptr : save_result(arguments_, *file_, facts_);
+    facts_.total_s = seconds_since(begin_);
+    if (!arguments_.json.empty()) write_output(arguments_.json, distributed_json(distribution_, facts_));
+    if (!arguments_.quiet) {
+      print_report(report, facts_, arguments_);
+      print_summary(outputs_of(arguments_), distribution_text(distribution_));
+    }
+    print_why_stopped(report, facts_, arguments_);
+    return refusal;
+  }
+
+  OptimizeArguments arguments_;
+  mpi::Communicator& communicator_;
+  const Clock::time_point begin_ = Clock::now();
+  Options options_;
+  std::optional<GraphFile> file_;
+  std::optional<FixForRun> fixed_;
+  std::vector<detail::GaugeVertex> held_;
+  std::vector<detail::GaugeFreedom> freedoms_;  // while these are held
+  std::optional<Results> results_;
+  RunFacts facts_;
+  Distribution distribution_;
+};
+
+/// The arguments as one line, for comparisons.
+std::string command_line_of(const CLI::App& command) {
+  return command.config_to_str(false, false);
+}
+
+}  // namespace
+
+void add_distributed_optimize(CLI::App& app, Action& action, mpi::Communicator& communicator) {
+  auto arguments = std::make_shared<OptimizeArguments>();
+  CLI::App* command =
+      app.add_subcommand("optimize", "Moves the vertices of a graph to minimize the errors of its edges");
+  add_optimize_options(*command, *arguments);
+  for (const char* option : {"--outliers", "--write-outliers", "--remove-outliers", "--certify", "--petsc",
+                             "--view", "--port", "--host", "--open"})
+    command->remove_option(command->get_option(option));
+  command->footer(
+      "Examples:\n"
+      "  mpirun -n 4 boxplus-mpi optimize scene.bal -o optimized.bal\n"
+      "\n"
+      "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.");
+  command->callback([&action, &communicator, command, arguments] {
+    require_needed_values(*command);
+    action = [&communicator, arguments, line = command_line_of(*command)] {
+      return DistributedRun(*arguments, communicator).run(line);
+    };
+  });
+}
+
+}  // namespace boxplus::app

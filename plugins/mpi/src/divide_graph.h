@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Divides a graph among processes.
+#pragma once
+
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+
+namespace boxplus::mpi {
+
+/// The edges of one of `parts` parts of a graph, which have about equal numbers of edges. Vertices that are
+/// not eliminated are cut by id. An eliminated vertex, with all of its edges, belongs to the part with most
+/// of these edges, unless that is full. Another edge belongs to the part of its vertex with the lowest id.
+/// Depends only on the graph. O(n log n).
+std::vector<EdgeRef> edges_of_part(const Graph& graph, int part, int parts);
+
+}  // namespace boxplus::mpi

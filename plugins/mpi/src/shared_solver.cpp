@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shared_solver.h"
+
+#include <algorithm>
+#include <string>
+
+#include "boxplus/base/error.h"
+
+namespace boxplus::mpi {
+
+SharedSolver::SharedSolver(std::shared_ptr<LinearSolver> inner, Communicator& communicator,
+                           const KeptVertices& kept, int threads)
+    : inner_(std::move(inner)), communicator_(&communicator), kept_(&kept), threads_(threads) {
+  if (inner_->needs() == Needs::kOperator)
+    throw InvalidArgument("expected a linear solver that takes a matrix, got '" +
+                          std::string(inner_->name()) + "', which takes an operator");
+}
+
+/// The kept vertices of each block of the system of this process, which may have several.
+std::vector<std::vector<SharedSolver::PartOfBlock>> SharedSolver::vertices_of_blocks(
+    const BlockStructure& structure) const {
+  std::vector<std::vector<PartOfBlock>> result(structure.blocks());
+  std::uint32_t block = 0;
+  for (const KeptVertices::Local& vertex : kept_->local()) {
+    const std::uint32_t scalar = vertex.first - first_local_;
+    while (structure.offset[block + 1] <= scalar) ++block;
+    result[block].push_back({scalar - structure.offset[block], vertex});
+  }
+  return result;
+}
+
+void SharedSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
+                           const StopToken& stop) {
+  const std::span<const KeptVertices::Local> local = kept_->local();
+  first_local_ = local.empty() ? 0 : local.front().first;
+  const auto vertices = vertices_of_blocks(structure);
+  // Calls f(block, row, column) for each pair of vertices with values in the lower triangle.
+  const auto for_each_pair = [&](auto&& f) {
+    for (std::uint32_t column = 0; column < structure.blocks(); ++column) {
+      for (std::uint32_t k = structure.column_start[column]; k < structure.column_start[column + 1]; ++k) {
+        for (const PartOfBlock& c : vertices[column]) {
+          for (const PartOfBlock& r : vertices[structure.row[k]]) {
+            if (structure.row[k] != column || r.first >= c.first) f(k, r, c);
+          }
+        }
+      }
+    }
+  };
+  std::vector<std::uint64_t> pairs;
+  for_each_pair([&](std::uint32_t, const PartOfBlock& r, const PartOfBlock& c) {
+    const auto [low, high] = std::minmax(r.vertex.vertex, c.vertex.vertex);
+    if (low != high) pairs.push_back((std::uint64_t{high} << 32) + low);
+  });
+  pairs = communicator_->gather(pairs);
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<BlockCoordinate> lower;
+  lower.reserve(pairs.size());
+  for (const std::uint64_t pair : pairs)
+    lower.push_back({static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair)});
+  pairs = {};
+  whole_ = make_block_structure(kept_->dims(), lower, stop);
+  values_.resize(std::size_t{whole_.nonzero_values()} + whole_.scalars());
+  vector_.resize(whole_.scalars());
+  parts_.clear();
+  for_each_pair([&](std::uint32_t k, const PartOfBlock& r, const PartOfBlock& c) {
+    const std::uint32_t stride = structure.dim(structure.row[k]);
+    const bool transposed = r.vertex.vertex < c.vertex.vertex;
+    const auto [low, high] = std::minmax(r.vertex.vertex, c.vertex.vertex);
+    parts_.push_back({structure.value_start[k] + c.first * stride + r.first,
+                      whole_.value_start[whole_.find(high, low)], static_cast<std::uint16_t>(r.vertex.dim),
+                      static_cast<std::uint16_t>(c.vertex.dim), static_cast<std::uint16_t>(stride),
+                      transposed});
+  });
+  inner_->analyze(whole_, {.threads = threads_}, stop);
+}
+
+/// Whether all processes go on. Collective.
+bool SharedSolver::agree(LinearStatus status) {
+  worst_ = static_cast<LinearStatus>(static_cast<int>(communicator_->max(static_cast<int>(status))));
+  if (worst_ != LinearStatus::kOk) stage_ = Stage::kFailed;
+  return worst_ == LinearStatus::kOk;
+}
+
+/// Adds the values of this process to values_.
+void SharedSolver::add_parts(std::span<const double> values) {
+  for (const Part& part : parts_) {
+    const double* from = values.data() + part.from;
+    double* to = values_.data() + part.to;
+    for (std::uint32_t c = 0; c < part.columns; ++c, from += part.stride) {
+      for (std::uint32_t r = 0; r < part.rows; ++r)
+        to[part.transposed ? r * part.columns + c : c * part.rows + r] += from[r];
+    }
+  }
+}
+
+FactorResult SharedSolver::factorize(const BlockSystem& system, const Damping& damping,
+                                     const SolveControl& control) {
+  if (stage_ == Stage::kFailed) return {worst_};  // a second try of this process alone
+  if (!agree(LinearStatus::kOk)) return {worst_};
+  std::ranges::fill(values_, 0.0);
+  add_parts(system.values());
+  double* const diagonal = values_.data() + whole_.nonzero_values();
+  kept_->for_each_scalar([&](std::uint32_t i, std::uint32_t all, bool own) {
+    if (own) diagonal[all] = damping(i - first_local_);
+  });
+  communicator_->add_up(values_);
+  const AssembledSystem whole(whole_, {values_.data(), whole_.nonzero_values()});
+  SolveControl own_control = control;
+  own_control.right_hand_side = nullptr;
+  const FactorResult result = inner_->factorize(whole, {1.0, diagonal}, own_control);
+  if (result.failed_block < kept_->count()) failed_vertex_ = result.failed_block;
+  if (!agree(result.status)) return {worst_};
+  stage_ = Stage::kFactorized;
+  return {};
+}
+
+SolveResult SharedSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
+  if (!agree(LinearStatus::kOk)) return {worst_};
+  SolveResult total{.exact = true};
+  std::uint32_t size = 0;  // of the system of this process
+  for (const KeptVertices::Local& vertex : kept_->local()) size += vertex.dim;
+  for (int c = 0; c < columns; ++c, b += size, x += size) {
+    std::ranges::fill(vector_, 0.0);
+    kept_->for_each_scalar(
+        [&](std::uint32_t i, std::uint32_t all, bool) { vector_[all] = b[i - first_local_]; });
+    communicator_->add_up(vector_);
+    const SolveResult result = inner_->solve(vector_.data(), 1, vector_.data(), control);
+    kept_->for_each_scalar(
+        [&](std::uint32_t i, std::uint32_t all, bool) { x[i - first_local_] = vector_[all]; });
+    total.status = std::max(total.status, result.status);
+    total.iterations += result.iterations;
+    total.exact = total.exact && result.exact;
+  }
+  const bool usable = total.status == LinearStatus::kNotConverged;
+  if (!agree(usable ? LinearStatus::kOk : total.status)) return {worst_};
+  stage_ = Stage::kSolved;
+  return total;
+}
+
+LinearStatus SharedSolver::end(LinearStatus status) {
+  if (stage_ != Stage::kFailed) (void)agree(status);
+  return worst_;
+}
+
+}  // namespace boxplus::mpi

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests boxplus-mpi: command_test.py BOXPLUS DATA_FOLDER BOXPLUS_MPI MPIRUN ..."""
+
+import json
+import subprocess
+import sys
+
+from command_case import CommandCase, main, run
+
+BOXPLUS_MPI, MPIRUN = sys.argv[3], sys.argv[4:]
+
+def messages(text):
+    """The lines of the command; mpirun adds lines of its own if the exit code is not 0."""
+    return [line for line in text.splitlines() if line.startswith("boxplus: ")]
+
+class MpiCommandTest(CommandCase):
+    def run_mpi(self, processes, *arguments):
+        words = [*MPIRUN, "-n", str(processes), BOXPLUS_MPI, *map(str, arguments)]
+        return subprocess.run(words, capture_output=True, encoding="utf-8", check=False, timeout=100)
+
+    def simulated(self, name, *arguments):
+        path = self.path / name
+        self.assertEqual(run("simulate", *arguments, "-o", path).returncode, 0)
+        return path
+
+    def report_of(self, processes, graph, *arguments):
+        done = self.run_mpi(processes, "optimize", graph, "--quiet", "--json", self.path / "report.json", *arguments)
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        return json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+
+    def assert_same_optimum(self, graph, *arguments):
+        run("optimize", graph, "--quiet", "--json", self.path / "one.json", *arguments)
+        expected = json.loads((self.path / "one.json").read_text(encoding="utf-8"))
+        for processes in (1, 2, 3, 4):
+            report = self.report_of(processes, graph, *arguments)
+            self.assertAlmostEqual(report["chi2_final"] / expected["chi2_final"], 1, delta=1e-9)
+            for same in ("edges", "rows", "scalars", "degrees_of_freedom"):
+                self.assertEqual(report[same], expected[same])
+            self.assertEqual(report["distribution"]["processes"], processes)
+            self.assertEqual(sum(report["distribution"]["edges_per_process"]), expected["edges"])
+        self.assertEqual(self.report_of(4, graph, *arguments)["chi2_final"], report["chi2_final"])
+
+    def test_reaches_the_optimum_of_one_process_on_a_street(self):
+        street = self.simulated("street.bal", "ba", "--shape", "street", "--cameras", 40, "--points", 1000)
+        self.assert_same_optimum(street)
+        self.assert_same_optimum(street, "--kernel", "Huber")
+
+    def test_reaches_the_optimum_of_one_process_on_a_sphere(self):
+        sphere = self.simulated("sphere.g2o", "sphere", "--poses", 400)
+        self.assert_same_optimum(sphere)
+        self.assert_same_optimum(sphere, "--start", "odometry", "--kernel", "Huber")
+
+    def test_writes_the_graph_of_all_processes(self):
+        for graph in (self.simulated("street.bal", "ba", "--cameras", 20, "--points", 300),
+                      self.simulated("torus.g2o", "torus", "--poses", 300)):
+            output = self.path / ("optimized" + graph.suffix)
+            report = self.report_of(3, graph, "-o", output)
+            again = run("optimize", output, "--iterations", 0, "--quiet", "--json", "-")
+            self.assertAlmostEqual(json.loads(again.stdout)["chi2_final"] / report["chi2_final"], 1, delta=1e-9)
+
+    def test_prints_the_report_once(self):
+        done = self.run_mpi(2, "optimize", self.simulated("sphere.g2o", "sphere", "--poses", 100))
+        self.assertEqual((done.returncode, done.stdout.count("converged: chi2"), done.stderr), (0, 1, ""))
+        self.assertIn("2 processes shared the problem", done.stdout)
+
+    def test_ends_with_one_message_and_the_same_exit_code_as_one_process(self):
+        broken = self.written("broken.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 0\n")
+        for arguments, text in ((("optimize", broken), "broken.g2o:2"),
+                                (("optimize", self.path / "missing.g2o"), "missing.g2o"),
+                                (("optimize", broken, "--certify"), "--certify"),
+                                (("optimize",), "FILE")):
+            done = self.run_mpi(2, *arguments)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(len(messages(done.stderr)), 1, done.stderr)
+            self.assertIn(text, messages(done.stderr)[0])
+
+    def test_ends_with_code_1_if_the_run_has_not_converged(self):
+        done = self.run_mpi(2, "optimize", self.simulated("sphere.g2o", "sphere", "--poses", 100), "--iterations", 1, "-q")
+        self.assertEqual((done.returncode, len(messages(done.stderr))), (1, 1), done.stderr)
+
+    def test_refuses_arguments_that_differ_between_processes(self):
+        sphere = self.simulated("sphere.g2o", "sphere", "--poses", 100)
+        command = [BOXPLUS_MPI, "optimize", str(sphere), "--quiet", "--iterations"]
+        words = [*MPIRUN, "-n", "1", *command, "10", ":", "-n", "1", *command, "20"]
+        done = subprocess.run(words, capture_output=True, encoding="utf-8", check=False, timeout=100)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(len(messages(done.stderr)), 1, done.stderr)
+        self.assertIn("the arguments differ between processes", done.stderr)
+
+    def test_does_not_hang_if_only_one_process_finds_the_file(self):
+        sphere = self.simulated("sphere.g2o", "sphere", "--poses", 100)
+        (self.path / "a").mkdir()
+        (self.path / "b").mkdir()
+        (self.path / "a" / "graph.g2o").write_bytes(sphere.read_bytes())
+        command = [BOXPLUS_MPI, "optimize", "graph.g2o", "--quiet"]
+        words = [*MPIRUN, "-n", "1", "-wdir", str(self.path / "a"), *command, ":", "-n", "1", "-wdir", str(self.path / "b"), *command]
+        done = subprocess.run(words, capture_output=True, encoding="utf-8", check=False, timeout=100)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(len(messages(done.stderr)), 1, done.stderr)
+        self.assertIn("graph.g2o", messages(done.stderr)[0])
+
+if __name__ == "__main__":
+    main()
