@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 
+#include "boxplus/base/error.h"
 #include "command.h"
 #include "command_line/help_format.h"
 #include "command_line/message.h"
@@ -27,15 +28,18 @@ int parse_and_run(int argc, char** argv, mpi::Communicator& communicator) {
   app.require_subcommand(1);
   Action action;
   add_distributed_optimize(app, action, communicator);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    print_message(usage_message(app, error));
-    return kBadInput;
-  }
-  return action();
+  bool is_help = false;
+  communicator.together([&] {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& success) {  // --help, --version
+      app.exit(success);
+      is_help = true;
+    } catch (const CLI::ParseError& error) {
+      throw InvalidArgument(usage_message(app, error));
+    }
+  });
+  return communicator.any(is_help) ? static_cast<int>(kSuccess) : action();
 }
 
 /// Only the first process prints: the others fail with the same messages.

@@ -132,6 +132,9 @@ class DistributedRun {
     freedoms_ = gauge.freedoms;
     for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
     options_.edges = mpi::edges_of_part(graph, communicator_.rank(), communicator_.size());
+    if (options_.edges.empty())
+      throw InvalidArgument(fmt::format("{}: too few edges for {} processes", input_name(arguments_.input),
+                                        communicator_.size()));
     if (!arguments_.output.empty()) results_.emplace(graph, options_.edges);
     if (communicator_.is_first() && arguments_.verbose) {
       options_.callback = [](const IterationRecord& record) {
@@ -210,7 +213,7 @@ void add_distributed_optimize(CLI::App& app, Action& action, mpi::Communicator& 
       app.add_subcommand("optimize", "Moves the vertices of a graph to minimize the errors of its edges");
   add_optimize_options(*command, *arguments);
   for (const char* option : {"--outliers", "--write-outliers", "--remove-outliers", "--certify", "--petsc",
-                             "--view", "--port", "--host", "--open"})
+                             "--position-priors", "--view", "--port", "--host", "--open"})
     command->remove_option(command->get_option(option));
   command->footer(
       "Examples:\n"

@@ -77,35 +77,33 @@ void LiveProblem::apply(const detail::ChangeLog& log) {
   ++applies_;
   for (const EdgeRef& edge : log.edges) drop_stale_edge(edge);
   again_.clear();
+  if (!left_out_.empty()) take_in(log);
   for (const VertexRef& vertex : log.vertices) apply_vertex(vertex);
-  if (!left_out_.empty()) {
-    for (const EdgeRef& edge : log.edges) take_in(edge);
-    std::erase_if(left_out_, [&](VertexRef vertex) { return !graph_.contains(vertex); });
-  }
   for (const EdgeRef& edge : log.edges) apply_edge(edge);
   for (const EdgeRef& edge : again_) apply_edge(edge);
-  leave_out_with_few_rows();
+  remove_unused_blocks();
+  std::erase_if(few_rows_, [&](Index block) { return !has_few_rows(block); });
 }
 
-/// Leaves out those of the new blocks, and of those that have lost an edge, whose edges have too few rows. If
-/// an edge is about no other block, it counts, and the directions that are missing are held (hold()).
-void LiveProblem::leave_out_with_few_rows() {
-  std::vector<Index> blocks;
-  for (const Index block : std::exchange(with_fewer_rows_, {})) {
-    const VertexRef vertex = vertex_of_[block];
-    if (vertices_[vertex.pool][vertex.slot].block != block || factor_.terms_of(block).empty()) continue;
-    int missing = static_cast<int>(factor_.dim(block) - factor_.held_scalars(block).size());
-    for (const Index term : factor_.terms_of(block)) {
-      const EdgeName name = edge_of_[term];
-      missing -= graph_.edge_pools()[name.pool]->shape(name.slot).rows;
-      if (missing <= 0 || factor_.blocks_of(term).size() == 1) {
-        missing = 0;
-        break;
-      }
-    }
-    if (missing > 0) blocks.push_back(block);
+/// Whether the edges of a block have too few rows to determine it. If an edge is about no other block, the
+/// directions that are missing can be held (hold()).
+bool LiveProblem::has_few_rows(Index block) const {
+  const VertexRef vertex = vertex_of_[block];
+  if (vertices_[vertex.pool][vertex.slot].block != block || factor_.terms_of(block).empty()) return false;
+  int missing = static_cast<int>(factor_.dim(block) - factor_.held_scalars(block).size());
+  for (const Index term : factor_.terms_of(block)) {
+    const EdgeName name = edge_of_[term];
+    missing -= graph_.edge_pools()[name.pool]->shape(name.slot).rows;
+    if (missing <= 0 || factor_.blocks_of(term).size() == 1) return false;
   }
+  return true;
+}
+
+bool LiveProblem::leave_out_with_few_rows() {
+  std::vector<Index> blocks = std::exchange(few_rows_, {});
+  std::erase_if(blocks, [&](Index block) { return !has_few_rows(block); });
   leave_out(blocks);
+  return !blocks.empty();
 }
 
 void LiveProblem::remove_unused_blocks() {
@@ -117,23 +115,48 @@ void LiveProblem::remove_unused_blocks() {
   maybe_unused_.clear();
 }
 
-/// Lets the vertices of a new or changed edge that were left out take part again, with all of their edges.
-void LiveProblem::take_in(EdgeRef edge) {
+/// Lets vertices that were left out take part again if they or their edges have changed.
+void LiveProblem::take_in(const detail::ChangeLog& log) {
+  bool is_any_gone = false;
+  for (const EdgeRef& edge : log.edges) {
+    if (graph_.edge_pools()[edge.pool]->alive(edge.slot)) {
+      take_in_vertices_of({edge.pool, edge.slot});
+    } else {
+      is_any_gone = true;
+    }
+  }
+  for (const VertexRef& vertex : log.vertices) {
+    const VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
+    if (entry.is_left_out) take_in(VertexRef{vertex.pool, vertex.slot, entry.generation});
+    is_any_gone = is_any_gone || !graph_.contains(vertex);
+  }
+  if (!is_any_gone) return;
+  std::erase_if(left_out_, [&](VertexRef vertex) {
+    if (graph_.contains(vertex) && !graph_.edges(vertex).empty()) return false;
+    if (graph_.contains(vertex)) vertices_[vertex.pool][vertex.slot].is_left_out = false;
+    return true;
+  });
+}
+
+void LiveProblem::take_in_vertices_of(EdgeName edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-  if (!pool.alive(edge.slot)) return;
   const auto slots = pool.vertex_slots(edge.slot);
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
-    if (vertices_[p][slots[i]].is_left_out)
-      take_in(VertexRef{p, slots[i], vertices_[p][slots[i]].generation});
+    const VertexEntry& entry = vertices_[p][slots[i]];
+    if (entry.is_left_out) take_in(VertexRef{p, slots[i], entry.generation});
   }
 }
 
+/// With all of its edges, and the other vertices of these.
 void LiveProblem::take_in(VertexRef vertex) {
   vertices_[vertex.pool][vertex.slot].is_left_out = false;
   std::erase(left_out_, vertex);
   if (!graph_.contains(vertex)) return;
-  for (const EdgeRef& edge : graph_.edges(vertex)) again_.push_back(edge);
+  for (const EdgeRef& edge : graph_.edges(vertex)) {
+    again_.push_back(edge);
+    take_in_vertices_of({edge.pool, edge.slot});
+  }
 }
 
 bool LiveProblem::is_left_out(EdgeRef edge) const {
@@ -161,18 +184,35 @@ bool LiveProblem::leave_out_undetermined(Index lost) {
   return !blocks.empty();
 }
 
-/// Leaves blocks out with their edges, and then those that have too few rows without these edges.
+/// Leaves blocks out with their edges, and those that have no other edges.
 void LiveProblem::leave_out(std::span<const Index> blocks) {
-  for (const Index block : blocks) {
-    const VertexRef vertex = vertex_of_[block];
+  std::vector<Index> others(blocks.begin(), blocks.end());
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const VertexRef vertex = vertex_of_[others[k]];
     VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
-    if (entry.is_left_out) continue;
+    if (entry.is_left_out || (k >= blocks.size() && !factor_.terms_of(others[k]).empty())) continue;
     entry.is_left_out = true;
     left_out_.push_back(vertex);
-    while (!factor_.terms_of(block).empty()) remove_term(edge_of_[factor_.terms_of(block).front()]);
+    while (!factor_.terms_of(others[k]).empty()) {
+      const Index term = factor_.terms_of(others[k]).front();
+      const auto members = factor_.blocks_of(term);
+      others.insert(others.end(), members.begin(), members.end());
+      remove_term(edge_of_[term]);
+    }
   }
   remove_unused_blocks();
-  if (!with_fewer_rows_.empty()) leave_out_with_few_rows();
+}
+
+std::size_t LiveProblem::remove_stranded() {
+  std::size_t count = 0;
+  std::erase_if(left_out_, [&](VertexRef vertex) {
+    if (!graph_.contains(vertex)) return true;
+    if (!graph_.edges(vertex).empty()) return false;
+    graph_.remove(vertex);
+    ++count;
+    return true;
+  });
+  return count;
 }
 
 /// Whether the edges of a block determine it if all other blocks are known.
@@ -323,7 +363,7 @@ void LiveProblem::remove_term(EdgeName name) {
   EdgeEntry& entry = edges_[name.pool][name.slot];
   const auto blocks = factor_.blocks_of(entry.term);
   maybe_unused_.insert(maybe_unused_.end(), blocks.begin(), blocks.end());
-  with_fewer_rows_.insert(with_fewer_rows_.end(), blocks.begin(), blocks.end());
+  few_rows_.insert(few_rows_.end(), blocks.begin(), blocks.end());
   factor_.remove_term(entry.term);
   entry.term = kNone;
   --term_count_;
@@ -346,7 +386,7 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   if (entry.block >= vertex_of_.size()) vertex_of_.resize(entry.block + std::size_t{1});
   vertex_of_[entry.block] = {p, slot, entry.generation};
   ++block_count_;
-  with_fewer_rows_.push_back(entry.block);
+  few_rows_.push_back(entry.block);
   entry.is_pinned = false;
   new_vertices_.push_back(vertex_of_[entry.block]);
   set_point(p, slot, entry.block);

@@ -43,9 +43,13 @@ class LiveProblem {
   /// After the factorization has lost the pivot of this block: leaves out the vertices around it that their
   /// own edges do not determine. Returns false if there is no such vertex.
   bool leave_out_undetermined(Index lost);
+  /// The same for all vertices whose edges have too few rows. Returns false if there is none.
+  bool leave_out_with_few_rows();
+  /// Removes vertices that were left out from the graph if they have no edges any more. Returns their number.
+  std::size_t remove_stranded();
   /// Vertices that their own edges do not determine, such as a landmark with a single range. These edges take
-  /// no part, because they say nothing about other vertices. The vertices take part again when one of their
-  /// edges is added or changes.
+  /// no part, because they say nothing about other vertices. The vertices take part again when they or their
+  /// edges change.
   std::span<const VertexRef> left_out() const { return left_out_; }
 
   bool has_queued_edges() const;
@@ -127,9 +131,10 @@ class LiveProblem {
   void apply_edge(EdgeRef edge);
   void remove_term(EdgeName name);
   void remove_unused_blocks();
-  void leave_out_with_few_rows();
+  bool has_few_rows(Index block) const;
   void leave_out(std::span<const Index> blocks);
-  void take_in(EdgeRef edge);
+  void take_in(const detail::ChangeLog& log);
+  void take_in_vertices_of(EdgeName edge);
   void take_in(VertexRef vertex);
   bool is_determined_alone(Index block) const;
   bool is_left_out(EdgeRef edge) const;
@@ -169,7 +174,7 @@ class LiveProblem {
   std::vector<Index> moved_;
   std::vector<std::uint64_t> moved_in_;  // per block: its last transaction
   std::uint64_t transaction_ = 0;
-  std::vector<Index> maybe_unused_, with_fewer_rows_;
+  std::vector<Index> maybe_unused_, few_rows_;
   std::vector<Index> waiting_;  // to be linearized anew when the budget allows it
   std::vector<VertexRef> new_vertices_;
   std::vector<EdgeRef> again_;           // edges whose vertices have changed

@@ -83,7 +83,9 @@ class Smoother::Impl {
     report.flops = work_.flops;
     report.held_directions = static_cast<std::uint32_t>(problem_->held_directions());
     report.held.assign(problem_->held().begin(), problem_->held().end());
-    for (const VertexRef& vertex : problem_->left_out()) report.held.push_back({vertex, graph_.id(vertex)});
+    for (const VertexRef& vertex : problem_->left_out()) {
+      if (graph_.contains(vertex)) report.held.push_back({vertex, graph_.id(vertex)});
+    }
     report.time_s = std::chrono::duration<double>(Clock::now() - begin).count();
     return report;
   }
@@ -209,6 +211,7 @@ class Smoother::Impl {
         is_anchored = true;
         if (anchor()) continue;
       }
+      if ((is_lost || is_suspicious) && problem_->leave_out_with_few_rows()) continue;
       if (is_lost && problem_->leave_out_undetermined(lost)) continue;
       if (is_lost) return fail(report, lost);
       solved_.clear();
@@ -251,7 +254,7 @@ class Smoother::Impl {
     const std::vector<VertexRef> followers = problem_->followers(leaving, stays);
     leaving.insert(leaving.end(), followers.begin(), followers.end());
     problem_->marginalize(leaving);
-    report.marginalized = static_cast<std::uint32_t>(leaving.size());
+    report.marginalized = static_cast<std::uint32_t>(leaving.size() + problem_->remove_stranded());
   }
 
   /// Ends an update that the next one can continue.

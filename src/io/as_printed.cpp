@@ -43,6 +43,12 @@ Numbers normalized_numbers(const Numbers& q) {
   return {unit.x, unit.y, unit.z, unit.w};
 }
 
+/// Whether a reader accepts the length.
+bool has_length_one(const Numbers& q) {
+  constexpr double kTolerance = 5e-4;
+  return std::abs(std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 1) < kTolerance;
+}
+
 /// Finds four numbers that are proportional to q and become q when they are normalized. Number i has
 /// decimals[i] decimals. `largest` is the index of the largest number of q. The function rounds this number
 /// to its decimals, or to one of the two neighboring values; the result determines the factor for all four
@@ -59,7 +65,7 @@ std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, 
       printed[i] = std::nearbyint(number) / power_i;
       fits = std::abs(number - std::nearbyint(number)) <= kRoundingNoise;
     }
-    if (fits && normalized_numbers(printed) == q) return printed;
+    if (fits && has_length_one(printed) && normalized_numbers(printed) == q) return printed;
   }
   return std::nullopt;
 }

@@ -127,6 +127,7 @@ class ColmapTest(CommandCase):
                                 ("name,x,y,z\n", "priors.csv:1:1: expected one of the columns image, x, y"),
                                 ("image,x,x,z\n", "priors.csv:1:9: expected each column once, got 'x' again"),
                                 ("image,x,y,z\na,1,2\n", "expected 4 fields, as in the first row, got 3"),
+                                ("image,x,y,z\na,,2,3\n", "priors.csv:2:3: expected x, got ''"),
                                 ("image,x,y,z\na,1,two,3\n", "priors.csv:2:5: expected y, got 'two'"),
                                 ("image,x,y,z,sigma\na,1,2,3,0\n", "priors.csv:2:9: expected sigma above 0, got 0"),
                                 ("image,x,y,z,gx,gy,gz\na,1,2,3,0,0,0\n", "expected a direction, got zeros"),

@@ -95,12 +95,73 @@ TEST(Smoother, DrivesOnWithLandmarksOfASingleRange) {
       graph.add_edge(Range{(truths[l] - truth.translation()).norm()}, 10.0, poses.back(), landmarks[l]);
     const SmootherReport report = smoother.update();
     EXPECT_TRUE(report.converged()) << report.message;
-    EXPECT_EQ(report.held.size(), k == 1 ? 3U : 0U) << "step " << k;
+    EXPECT_EQ(report.held.size() + report.held_directions, k == 1 ? 3U : 0U) << "step " << k;
     EXPECT_NEAR(graph.estimate(poses.back()).translation()[0], k, 0.02);
   }
   smoother.finish();
   for (std::size_t l = 0; l < landmarks.size(); ++l)
     EXPECT_LT((graph.estimate(landmarks[l]) - truths[l]).norm(), 1e-6);
+}
+
+TEST(Smoother, TakesAVertexInWhenItIsFixed) {
+  Graph graph;
+  const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2(1, 0, 0));
+  const auto point = graph.add_vertex(Vector2(3, 0));
+  graph.fix(a);
+  graph.add_edge(Between(SE2(1, 0, 0)), 1.0, a, b);
+  graph.add_edge(Range{1}, 100.0, b, point);
+  Smoother smoother(graph);
+  EXPECT_EQ(smoother.update().held.size() + smoother.update().held_directions, 1U);
+  graph.fix(point);
+  EXPECT_TRUE(smoother.finish().held.empty());
+  Graph copy = graph;
+  EXPECT_NEAR(graph.chi2(), optimize(copy).chi2_final, 1e-9);
+}
+
+TEST(Smoother, TakesLandmarksInWhoseRangesCameBeforeTheOdometry) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < 4; ++k) poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+  const auto point = graph.add_vertex(Vector2(1.5, 2.5));
+  graph.fix(poses[0]);
+  const auto range = [&](int k) { return Range{std::hypot(1.0 - k, 2.0)}; };
+  graph.add_edge(Between(SE2(1, 0, 0)), 1.0, poses[0], poses[1]);
+  for (const int k : {1, 2, 3}) graph.add_edge(range(k), 1.0, poses[static_cast<std::size_t>(k)], point);
+  Smoother smoother(graph);
+  EXPECT_TRUE(smoother.update().converged());
+  for (const std::size_t k : {2U, 3U}) {
+    graph.add_edge(Between(SE2(1, 0, 0)), 1.0, poses[k - 1], poses[k]);
+    EXPECT_TRUE(smoother.update().converged());
+  }
+  const SmootherReport report = smoother.finish();
+  EXPECT_EQ(report.held.size() + report.held_directions, 0U);
+  EXPECT_NEAR(graph.chi2(), 0, 1e-9);
+  EXPECT_LT((graph.estimate(point) - Vector2(1, 2)).norm(), 1e-4);
+}
+
+TEST(Smoother, HoldsOneVertexOfTwoAndMovesTheOther) {
+  Graph graph;
+  const auto pose = graph.add_vertex(SE2());
+  const auto point = graph.add_vertex(Vector2(3, 4));
+  graph.add_edge(PointObservation2(Vector2(5, 5)), 1.0, pose, point);
+  Smoother smoother(graph);
+  EXPECT_EQ(smoother.finish().held.size(), 1U);
+  EXPECT_NEAR(graph.chi2(), 0, 1e-12);
+  EXPECT_NO_THROW((void)smoother.covariance({point}));
+}
+
+TEST(Smoother, KeepsAFixedLagFreeOfLandmarksWithASingleRange) {
+  Graph graph;
+  Smoother smoother(graph, {.lag = 10});
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
+  graph.fix(poses[0]);
+  for (int k = 1; k <= 60; ++k) {
+    poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+    graph.add_edge(Between(SE2(1, 0, 0)), 100.0, poses[poses.size() - 2], poses.back());
+    graph.add_edge(Range{2}, 10.0, poses.back(), graph.add_vertex(Vector2(k, 2)));
+    EXPECT_TRUE(smoother.update().converged());
+  }
+  EXPECT_LE(graph.vertex_count(), 25U);
 }
 
 TEST(Smoother, HoldsADirectionThatNothingDetermines) {

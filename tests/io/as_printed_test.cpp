@@ -21,6 +21,20 @@ TEST(AsPrinted, QuaternionsOfMeasurementsAreWrittenAsTheyWereRead) {
   EXPECT_EQ(format_graph(file), text);
 }
 
+TEST(AsPrinted, QuaternionsOfRightAnglesCanBeReadAgain) {
+  const GraphFile file = parse_graph(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 1 1 0 0 0 0 0.70710678118654757 0.70710678118654757\n"
+      "EDGE_SE3:QUAT 0 1 1 0 0 0 0 0.70710678118654757 0.70710678118654757 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 "
+      "0 1 0 "
+      "1\n",
+      "g");
+  const GraphFile again = parse_graph(format_graph(file), "again");
+  const EdgeHandle<Between<SE3>> edge{file.edges[0]}, copy{again.edges[0]};
+  EXPECT_EQ(again.graph.measurement(copy).measurement.quaternion().w,
+            file.graph.measurement(edge).measurement.quaternion().w);
+}
+
 TEST(AsPrinted, AnglesBeyondPiAreWrittenAsTheyWereRead) {
   const std::string text = "VERTEX_SE2 0 0 0 3.141593\nVERTEX_SE2 1 0 0 -3.1416\nVERTEX_SE2 2 0 0 3.14159\n";
   EXPECT_EQ(format_graph(parse_graph(text, "g")), text);

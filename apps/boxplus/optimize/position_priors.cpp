@@ -129,7 +129,9 @@ class PriorsFile {
 
   /// The three fields, or nothing if there are no such columns, or if the fields are empty.
   std::optional<Vector3> vector(const char* x, const char* y, const char* z) const {
-    if (!columns_.contains(x) || (*fields_)[columns_.at(x)].text.empty()) return std::nullopt;
+    if (!columns_.contains(x)) return std::nullopt;
+    const auto is_empty = [&](const char* name) { return (*fields_)[columns_.at(name)].text.empty(); };
+    if (is_empty(x) && is_empty(y) && is_empty(z)) return std::nullopt;
     return Vector3(number(x), number(y), number(z));
   }
   double sigma(const char* name, double otherwise) const {
@@ -176,24 +178,17 @@ struct ImagePose {
   }
 };
 
-/// The poses of images, by their names or ids.
+/// The poses of images, by their names.
 class Images {
  public:
   explicit Images(const GraphFile& file) : graph_(file.graph) {
-    if (!file.model) return;
     const std::vector<PosePlace> places = pose_places(*file.model);
     for (std::size_t k = 0; k < places.size(); ++k) places_.emplace(file.model->images[k].name, places[k]);
   }
   std::optional<ImagePose> find(const std::string& name) const {
-    Id id = 0;
-    std::optional<Id> offset;
-    if (const auto at = places_.find(name); at != places_.end()) {
-      id = at->second.vertex;
-      offset = at->second.offset;
-    } else {
-      const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), id);
-      if (!places_.empty() || error != std::errc() || stop != name.data() + name.size()) return std::nullopt;
-    }
+    const auto at = places_.find(name);
+    if (at == places_.end()) return std::nullopt;
+    const auto [id, offset] = std::pair(at->second.vertex, at->second.offset);
     const std::optional<VertexRef> vertex = graph_.find_vertex(id);
     if (!vertex || pool_of<SE3>(graph_, *vertex) == nullptr) return std::nullopt;
     ImagePose found{graph_.vertex<SE3>(id), std::nullopt};
@@ -346,13 +341,19 @@ std::optional<Similarity> from_directions(const Graph& graph, const std::vector<
   Similarity motion{1, Eigen::Quaterniond::FromTwoVectors(sum, kDown).toRotationMatrix(), Vector3::Zero()};
   const Positions positions(graph, matches, motion.rotation);
   const Eigen::MatrixXd from = positions.from.topRows(2), to = positions.to.topRows(2);
-  if (to.cols() < 2 || !(Positions::extents(from)[0] > 0 && Positions::extents(to)[0] > 0)) return motion;
-  const PointAlignment turn = align_points(from, to, true);
+  if (to.cols() < 2) return motion;
+  const double before = Positions::extents(positions.from).norm();
+  const double after = Positions::extents(positions.to).norm();
+  if (!(before > 0 && after > 0)) return motion;
+  // The scale follows from the distances in space, because positions above each other do not determine it in
+  // the plane.
+  const double scale = after / before;
+  const PointAlignment turn = align_points(scale * from, to, false);
   Eigen::Matrix3d around = Eigen::Matrix3d::Identity();
   around.topLeftCorner<2, 2>() = turn.rotation;
-  motion = {turn.scale, around * motion.rotation, Vector3::Zero()};
+  motion = {scale, around * motion.rotation, Vector3::Zero()};
   motion.translation.head<2>() = turn.translation;
-  motion.translation[2] = (positions.to.row(2) - turn.scale * positions.from.row(2)).mean();
+  motion.translation[2] = (positions.to.row(2) - scale * positions.from.row(2)).mean();
   return motion;
 }
 
@@ -392,6 +393,7 @@ void add_edges(Graph& graph, const std::vector<Match>& matches, PositionPriors& 
 }  // namespace
 
 PositionPriors add_position_priors(GraphFile& file, const std::string& path) {
+  if (!file.model) throw InvalidArgument("--position-priors: expected a COLMAP model");
   const std::string text = read_text(path);
   const PriorsFile priors(text, input_name(path));
   const Images images(file);

@@ -98,7 +98,9 @@ class PacedView {
   bool show() {
     view_.follow();
     next_ += std::chrono::duration_cast<Clock::duration>(pause_);
-    std::this_thread::sleep_until(next_);
+    constexpr auto kPatience = std::chrono::milliseconds(50);
+    while (!Interrupt::raised() && Clock::now() < next_)
+      std::this_thread::sleep_until(std::min(next_, Clock::now() + kPatience));
     return !Interrupt::raised();
   }
 
@@ -270,7 +272,7 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
       "--view", arguments.view, "Wait for a browser, show it each step, and serve the page until Ctrl-C");
   view->group("View");
   command.add_option("--seconds", arguments.seconds, "How long the page shows the replay, at least")
-      ->check(number_from(0))
+      ->check(number_within(0, 1e6))
       ->capture_default_str()
       ->group("View")
       ->needs(view);
