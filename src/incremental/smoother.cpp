@@ -271,7 +271,12 @@ class Smoother::Impl {
     options.stop = options_.stop;
     if (!finishes) options.time_limit_s = options_.time_limit_s;
     options.numeric_jacobians = options_.numeric_jacobians;
-    if (finishes) options.noise_tolerance = 0, options.cost_tolerance = 1e-15;
+    if (finishes) {  // however small the steps are
+      constexpr int kMostIterations = 2000;
+      options.noise_tolerance = 0;
+      options.cost_tolerance = 1e-15;
+      options.max_iterations = kMostIterations;
+    }
     Graph copy = judge_.copy_without_aside(graph_);
     const Report batch = optimize(copy, options);
     take_estimates(graph_, copy);
