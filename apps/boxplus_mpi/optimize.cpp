@@ -95,11 +95,10 @@ class DistributedRun {
   void read(const std::string& command_line) {
     const std::vector<std::string> lines = communicator_.gather(command_line);
     for (std::size_t rank = 1; rank < lines.size(); ++rank) {
-      if (lines[rank] != lines[0])
-        throw InvalidArgument(
-            fmt::format("the arguments differ between processes: '{}' in process 0, but '{}' "
-                        "in process {}",
-                        lines[0], lines[rank], rank));
+      if (lines[rank] == lines[0]) continue;
+      throw InvalidArgument(
+          fmt::format("the arguments differ between processes: '{}' in process 0, but '{}' in process {}",
+                      lines[0], lines[rank], rank));
     }
     if (communicator_.is_first()) {
       check_outputs(outputs_of(arguments_));
@@ -175,7 +174,7 @@ class DistributedRun {
     for (const detail::GaugeVertex& held : held_) graph.unfix(held.vertex);
     fixed_.reset();
     if (!communicator_.is_first()) return nullptr;
-    const std::exception_ptr refusal =
+    std::exception_ptr refusal =
         arguments_.output.empty() ? nullptr : save_result(arguments_, *file_, facts_);
     facts_.total_s = seconds_since(begin_);
     if (!arguments_.json.empty()) write_output(arguments_.json, distributed_json(distribution_, facts_));

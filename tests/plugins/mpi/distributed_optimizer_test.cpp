@@ -21,9 +21,11 @@
 
 #ifdef BOXPLUS_SANITIZED
 /// MPI does not free all of its memory.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" const char* __asan_default_options() {
   return "detect_leaks=0";
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 #endif
 
 namespace boxplus {
