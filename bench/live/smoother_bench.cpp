@@ -88,8 +88,7 @@ void replay_file(const std::string& name, const std::string& path) {
     const std::vector<VertexRef> vertices = again.graph.all_vertices();
     app::Replay marginals(again.graph, {});
     while (marginals.done() < marginals.steps()) {
-      marginals.step();
-      if (marginals.done() < 3) continue;
+      if (!marginals.step().converged() || marginals.done() < 3) continue;
       with_marginals +=
           timed([&] { (void)marginals.smoother().covariance({vertices[marginals.done() - 1]}); });
     }
