@@ -288,8 +288,11 @@ class Smoother::Impl {
                                                                  : SmootherReport::Reason::kMaxIterations;
     if (!batch.converged()) return;
     take_changes();
-    is_solved_ = problem_->linearize(StopToken(), report.relinearized) == LiveProblem::Linearized::kAll &&
-                 problem_->factor().factorize(StopToken(), work_).status == LinearStatus::kOk;
+    const auto factorize = [&] {
+      return problem_->linearize(StopToken(), report.relinearized) == LiveProblem::Linearized::kAll &&
+             problem_->factor().factorize(StopToken(), work_).status == LinearStatus::kOk;
+    };
+    is_solved_ = factorize() || (anchor() && factorize());
     if (is_solved_) is_broken_ = false;
   }
 
