@@ -8,7 +8,6 @@
 #include <limits>
 #include <string>
 
-#include "base/symmetric_eigen.h"
 #include "boxplus/base/error.h"
 
 namespace boxplus {
@@ -85,27 +84,6 @@ void LiveProblem::apply(const detail::ChangeLog& log) {
   std::erase_if(few_rows_, [&](Index block) { return !has_few_rows(block); });
 }
 
-/// Whether the edges of a block have too few rows to determine it. If an edge is about no other block, the
-/// directions that are missing can be held (hold()).
-bool LiveProblem::has_few_rows(Index block) const {
-  const VertexRef vertex = vertex_of_[block];
-  if (vertices_[vertex.pool][vertex.slot].block != block || factor_.terms_of(block).empty()) return false;
-  int missing = static_cast<int>(factor_.dim(block) - factor_.held_scalars(block).size());
-  for (const Index term : factor_.terms_of(block)) {
-    const EdgeName name = edge_of_[term];
-    missing -= graph_.edge_pools()[name.pool]->shape(name.slot).rows;
-    if (missing <= 0 || factor_.blocks_of(term).size() == 1) return false;
-  }
-  return true;
-}
-
-bool LiveProblem::leave_out_with_few_rows() {
-  std::vector<Index> blocks = std::exchange(few_rows_, {});
-  std::erase_if(blocks, [&](Index block) { return !has_few_rows(block); });
-  leave_out(blocks);
-  return !blocks.empty();
-}
-
 void LiveProblem::remove_unused_blocks() {
   for (const Index block : maybe_unused_) {
     const VertexRef vertex = vertex_of_[block];
@@ -113,125 +91,6 @@ void LiveProblem::remove_unused_blocks() {
     if (entry.block == block && factor_.terms_of(block).empty()) remove_block(entry);
   }
   maybe_unused_.clear();
-}
-
-/// Lets vertices that were left out take part again if they or their edges have changed.
-void LiveProblem::take_in(const detail::ChangeLog& log) {
-  bool is_any_gone = false;
-  for (const EdgeRef& edge : log.edges) {
-    if (graph_.edge_pools()[edge.pool]->alive(edge.slot)) {
-      take_in_vertices_of({edge.pool, edge.slot});
-    } else {
-      is_any_gone = true;
-    }
-  }
-  for (const VertexRef& vertex : log.vertices) {
-    const VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
-    if (entry.is_left_out) take_in(VertexRef{vertex.pool, vertex.slot, entry.generation});
-    is_any_gone = is_any_gone || !graph_.contains(vertex);
-  }
-  if (!is_any_gone) return;
-  std::erase_if(left_out_, [&](VertexRef vertex) {
-    if (graph_.contains(vertex) && !graph_.edges(vertex).empty()) return false;
-    if (graph_.contains(vertex)) vertices_[vertex.pool][vertex.slot].is_left_out = false;
-    return true;
-  });
-}
-
-void LiveProblem::take_in_vertices_of(EdgeName edge) {
-  const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-  const auto slots = pool.vertex_slots(edge.slot);
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
-    const VertexEntry& entry = vertices_[p][slots[i]];
-    if (entry.is_left_out) take_in(VertexRef{p, slots[i], entry.generation});
-  }
-}
-
-/// With all of its edges, and the other vertices of these.
-void LiveProblem::take_in(VertexRef vertex) {
-  vertices_[vertex.pool][vertex.slot].is_left_out = false;
-  std::erase(left_out_, vertex);
-  if (!graph_.contains(vertex)) return;
-  for (const EdgeRef& edge : graph_.edges(vertex)) {
-    again_.push_back(edge);
-    take_in_vertices_of({edge.pool, edge.slot});
-  }
-}
-
-bool LiveProblem::is_left_out(EdgeRef edge) const {
-  if (left_out_.empty()) return false;
-  const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-  const auto slots = pool.vertex_slots(edge.slot);
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    if (vertices_[pool.vertex_pool(edge.slot, static_cast<int>(i))][slots[i]].is_left_out) return true;
-  }
-  return false;
-}
-
-bool LiveProblem::leave_out_undetermined(Index lost) {
-  std::vector<Index> blocks;
-  if (!is_determined_alone(lost)) {
-    blocks.push_back(lost);
-  } else {
-    for (const Index term : factor_.terms_of(lost)) {
-      for (const Index other : factor_.blocks_of(term)) {
-        if (!is_determined_alone(other)) blocks.push_back(other);
-      }
-    }
-  }
-  leave_out(blocks);
-  return !blocks.empty();
-}
-
-/// Leaves blocks out with their edges, and those that have no other edges.
-void LiveProblem::leave_out(std::span<const Index> blocks) {
-  std::vector<Index> others(blocks.begin(), blocks.end());
-  for (std::size_t k = 0; k < others.size(); ++k) {
-    const VertexRef vertex = vertex_of_[others[k]];
-    VertexEntry& entry = vertices_[vertex.pool][vertex.slot];
-    if (entry.is_left_out || (k >= blocks.size() && !factor_.terms_of(others[k]).empty())) continue;
-    entry.is_left_out = true;
-    left_out_.push_back(vertex);
-    while (!factor_.terms_of(others[k]).empty()) {
-      const Index term = factor_.terms_of(others[k]).front();
-      const auto members = factor_.blocks_of(term);
-      others.insert(others.end(), members.begin(), members.end());
-      remove_term(edge_of_[term]);
-    }
-  }
-  remove_unused_blocks();
-}
-
-std::size_t LiveProblem::remove_stranded() {
-  std::size_t count = 0;
-  std::erase_if(left_out_, [&](VertexRef vertex) {
-    if (!graph_.contains(vertex)) return true;
-    if (!graph_.edges(vertex).empty()) return false;
-    graph_.remove(vertex);
-    ++count;
-    return true;
-  });
-  return count;
-}
-
-/// Whether the edges of a block determine it if all other blocks are known.
-bool LiveProblem::is_determined_alone(Index block) const {
-  const auto dim = static_cast<Eigen::Index>(factor_.dim(block));
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, dim);
-  for (const Index term : factor_.terms_of(block)) {
-    const auto blocks = factor_.blocks_of(term);
-    const auto k = static_cast<std::size_t>(std::find(blocks.begin(), blocks.end(), block) - blocks.begin());
-    const double* const values =
-        factor_.values_of(term).data() + factor_.block_of(term, k, k) - factor_.gradient_of(term, 0);
-    sum += Eigen::Map<const Eigen::MatrixXd>(values, dim, dim);
-  }
-  for (const int held : factor_.held_scalars(block)) sum(held, held) += 1;
-  const Eigen::VectorXd scale = sum.diagonal().cwiseSqrt();
-  if (!(scale.minCoeff() > 0)) return false;
-  constexpr double kSingular = 1e-10;
-  const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * sum * scale.cwiseInverse().asDiagonal();
-  return symmetric_eigen(scaled).values.minCoeff() > kSingular;
 }
 
 bool LiveProblem::hold(const Plan& plan) {

@@ -22,9 +22,9 @@ namespace boxplus {
 /// A log with all vertices, parameters and edges of a graph.
 detail::ChangeLog everything_in(const Graph& graph);
 
-/// A block exists for each vertex that can move and has edges. Its linearization point θ is kept here, and
-/// the graph has its estimate θ ⊞ δ, where δ is the x of the factor. A term exists for each edge of level 0
-/// that touches a block.
+/// A block exists for each vertex that can move, has edges, and is not left out. Its linearization point θ is
+/// kept here, and the graph has its estimate θ ⊞ δ, where δ is the x of the factor. A term exists for each
+/// edge of level 0 that touches a block.
 class LiveProblem {
  public:
   using Index = IncrementalFactor::Index;
@@ -134,8 +134,8 @@ class LiveProblem {
   bool has_few_rows(Index block) const;
   void leave_out(std::span<const Index> blocks);
   void take_in(const detail::ChangeLog& log);
-  void take_in_vertices_of(EdgeName edge);
-  void take_in(VertexRef vertex);
+  void take_in(std::vector<VertexRef> vertices);
+  void append_left_out(EdgeName edge, std::vector<VertexRef>& out) const;
   bool is_determined_alone(Index block) const;
   bool is_left_out(EdgeRef edge) const;
   bool can_move(std::uint32_t pool, std::uint32_t slot) const;

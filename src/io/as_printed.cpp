@@ -43,17 +43,16 @@ Numbers normalized_numbers(const Numbers& q) {
   return {unit.x, unit.y, unit.z, unit.w};
 }
 
-/// Whether a reader accepts the length.
-bool has_length_one(const Numbers& q) {
-  constexpr double kTolerance = 5e-4;
-  return std::abs(std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]) - 1) < kTolerance;
+double length_of(const Numbers& q) {
+  return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
 }
 
 /// Finds four numbers that are proportional to q and become q when they are normalized. Number i has
 /// decimals[i] decimals. `largest` is the index of the largest number of q. The function rounds this number
 /// to its decimals, or to one of the two neighboring values; the result determines the factor for all four
-/// numbers.
-std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest) {
+/// numbers. Their length differs from 1 by less than `tolerance`.
+std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest,
+                                    double tolerance) {
   constexpr double kRoundingNoise = 0.01;
   const double power = kPowers[static_cast<std::size_t>(decimals[largest])];
   for (const double step : {0.0, -1.0, 1.0}) {
@@ -65,14 +64,15 @@ std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, 
       printed[i] = std::nearbyint(number) / power_i;
       fits = std::abs(number - std::nearbyint(number)) <= kRoundingNoise;
     }
-    if (fits && has_length_one(printed) && normalized_numbers(printed) == q) return printed;
+    fits = fits && std::abs(length_of(printed) - 1) < tolerance;
+    if (fits && normalized_numbers(printed) == q) return printed;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q) {
+detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q, double tolerance) {
   constexpr int kFewestDigits = 1, kMostDigits = 13;
   const Numbers numbers{q.x, q.y, q.z, q.w};
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -83,7 +83,7 @@ detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q) {
     for (std::size_t i = 0; i < numbers.size(); ++i) significant[i] = decimals_of(numbers[i], digits);
     const Decimals fixed{digits, digits, digits, digits};
     for (const Decimals& decimals : {significant, fixed}) {
-      if (const auto found = printed_with(decimals, numbers, largest))
+      if (const auto found = printed_with(decimals, numbers, largest, tolerance))
         return {(*found)[0], (*found)[1], (*found)[2], (*found)[3]};
     }
   }

@@ -7,9 +7,9 @@
 
 namespace boxplus {
 
-/// A quaternion with few digits that becomes `q`, bit for bit, when it is normalized. Returns `q` itself if
-/// there is no such quaternion.
-detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q);
+/// A quaternion with few digits that becomes `q`, bit for bit, when it is normalized. Its length differs from
+/// 1 by less than `tolerance`. Returns `q` itself if there is no such quaternion.
+detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q, double tolerance);
 
 /// An angle with few digits, slightly beyond ±π, that becomes `theta`, bit for bit, when it is wrapped.
 /// Returns `theta` itself if there is no such angle.

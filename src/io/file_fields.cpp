@@ -68,7 +68,7 @@ void FileFields<SE3>::write(const SE3& x, FieldWriter& out) {
 
 void write_measurement(const SE3& z, FieldWriter& out) {
   for (int i = 0; i < 3; ++i) out.number(z.translation()[i]);
-  const detail::Quaternion<double> q = as_printed(z.quaternion());
+  const detail::Quaternion<double> q = as_printed(z.quaternion(), 0.5 * FileFields<SE3>::kNormTolerance);
   for (const double value : {q.x, q.y, q.z, q.w}) out.number(value);
 }
 

@@ -289,7 +289,10 @@ class OptimizeTest(CommandCase):
 
     def test_on_a_terminal_long_work_shows_how_far_it_has_come(self):
         words = "simulate", "ba", "--cameras", 2000, "--points", 500000, "-o", "/dev/null"
+        begin = time.monotonic()
         shown = self.on_a_terminal(*words)
+        if time.monotonic() - begin < 2:
+            self.skipTest("the machine is too fast for this test")
         self.assertRegex(shown, r"simulating …  \d+ %, \d+ s left")
         self.assertTrue(shown.endswith("\r\x1b[K"))
         self.assertNotIn("simulating", run(*words).stderr)

@@ -118,8 +118,8 @@ class Drive {
     edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(k));
   }
 
-  /// Marginalizes a pose that can move and is not the newest one. A prior measures where the graph is, but
-  /// only to first order. So there are none unless the first pose is fixed.
+  /// Marginalizes a pose that can move and is not the newest one. A prior measures the place of the graph,
+  /// but only to first order. So there are none unless the first pose is fixed.
   void forget(std::size_t v) {
     if (v + 1 == poses_.size() || graph.is_fixed(poses_[v]) || !graph.is_fixed(poses_[0])) return;
     marginalize(graph, {poses_[v]});

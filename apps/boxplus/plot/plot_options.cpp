@@ -12,6 +12,7 @@
 #include "boxplus/base/error.h"
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
+#include "files/outputs.h"
 
 namespace boxplus::app {
 namespace {

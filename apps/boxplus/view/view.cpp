@@ -15,6 +15,7 @@
 #include "command_line/option_kinds.h"
 #include "files/format_names.h"
 #include "files/graph_input.h"
+#include "files/outputs.h"
 #include "files/trajectory_input.h"
 #include "view/serving.h"
 #include "viewer/server/server.h"

@@ -47,7 +47,7 @@ class SharedSolver final : public LinearSolver {
 
  private:
   enum class Stage : std::uint8_t { kBegun, kFactorized, kSolved, kFailed };
-  /// A part of a block of this process that belongs to one pair of vertices, and where it goes.
+  /// A part of a block of this process that belongs to one pair of vertices, with its destination.
   struct Part {
     std::uint32_t from, to;
     std::uint16_t rows, columns, stride;

@@ -18,15 +18,7 @@
 #include "boxplus/testing/simulate_bundle.h"
 #include "communicator.h"
 #include "divide_graph.h"
-
-#ifdef BOXPLUS_SANITIZED
-/// MPI does not free all of its memory.
-// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
-extern "C" const char* __asan_default_options() {
-  return "detect_leaks=0";
-}
-// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
-#endif
+#include "plugins/mpi_leaks.h"
 
 namespace boxplus {
 namespace {

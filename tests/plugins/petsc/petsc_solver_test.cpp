@@ -15,13 +15,7 @@
 #include "boxplus/testing/simulate_bundle.h"
 #include "linear/expect_solution.h"
 #include "optimize/small_graphs.h"
-
-#ifdef BOXPLUS_SANITIZED
-/// MPI does not free all of its memory.
-extern "C" const char* __asan_default_options() {
-  return "detect_leaks=0";
-}
-#endif
+#include "plugins/mpi_leaks.h"
 
 namespace boxplus {
 namespace {

@@ -47,7 +47,7 @@ struct [[nodiscard]] DistributedReport : Report {
 /// left to the error handler of the communicator, which ends all processes unless the program changes it.
 ///
 /// Limits: at most kMostKept vertices are kept. Initial guesses need the whole graph (run()). Gauge freedom
-/// is not searched for: fix a vertex, or H is damped a little where a pivot vanishes, as by
+/// is not searched for: fix a vertex, or H is damped a little if a pivot vanishes, as by
 /// GaugePolicy::kDamp; Report::degrees_of_freedom counts it as determined. The time limit and Options::stop
 /// end a run between two iterations. Reports have no rejected edges and no findings. Steps are not computed
 /// with 32 digits. Bounds, constraints, GaugePolicy::kError, SchurMode::kImplicit, and solvers that need no
