@@ -3,10 +3,10 @@
 #pragma once
 
 #ifdef BOXPLUS_SANITIZED
-// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+// NOLINTBEGIN(bugprone-reserved-identifier,misc-definitions-in-headers,readability-identifier-naming)
 /// Options of AddressSanitizer.
 extern "C" const char* __asan_default_options() {
   return "detect_leaks=0";
 }
-// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
+// NOLINTEND(bugprone-reserved-identifier,misc-definitions-in-headers,readability-identifier-naming)
 #endif

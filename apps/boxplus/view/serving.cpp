@@ -16,6 +16,7 @@
 #include "command_line/message.h"
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
+#include "files/outputs.h"
 
 namespace boxplus::app {
 
