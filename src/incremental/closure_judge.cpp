@@ -21,7 +21,9 @@ void take_estimates(Graph& graph, const Graph& copy) {
 
 Graph ClosureJudge::copy_without_aside(const Graph& graph) const {
   Graph copy = graph;
-  for (const EdgeRef& edge : aside_) copy.set_enabled(edge, false);
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (aside_.contains(edge) || !graph.is_enabled(edge)) copy.remove(edge);
+  }
   return copy;
 }
 

@@ -33,7 +33,7 @@ class ClosureJudge {
   bool accepts(EdgeRef edge, const EdgePreview& preview, double false_alarm);
   /// Whether enough has changed for a search; `finishes`: whether anything has.
   bool is_search_due(bool finishes) const;
-  /// A copy of the graph in which the edges that are set aside are disabled.
+  /// A copy of the graph without the edges that are disabled or set aside.
   Graph copy_without_aside(const Graph& graph) const;
   /// Judges all closures of the graph. Returns the edges whose verdicts have changed. If there are any, moves
   /// the estimates of the graph to those of the search.

@@ -153,10 +153,10 @@ void LiveProblem::append_left_out(EdgeName edge, std::vector<VertexRef>& out) co
   }
 }
 
-bool LiveProblem::is_left_out(EdgeRef edge) const {
+bool LiveProblem::is_left_out(EdgeName edge) const {
   if (left_out_.empty()) return false;
   std::vector<VertexRef> vertices;
-  append_left_out({edge.pool, edge.slot}, vertices);
+  append_left_out(edge, vertices);
   return !vertices.empty();
 }
 

@@ -137,11 +137,25 @@ void LiveProblem::drop_stale_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   const EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term == kNone) return;
-  const bool remains = pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation &&
-                       pool.level(edge.slot) == 0 &&
-                       !aside_.contains({edge.pool, edge.slot, entry.generation});
+  const bool is_same = pool.alive(edge.slot) && pool.generation(edge.slot) == entry.generation;
   may_be_cut_ = true;  // it was removed or changed
-  if (!remains) remove_term({edge.pool, edge.slot});
+  if (!is_same || !may_take_part({edge.pool, edge.slot})) remove_term({edge.pool, edge.slot});
+}
+
+/// Whether the edge is there, is of level 0, is enabled and is not set aside.
+bool LiveProblem::may_take_part(EdgeName name) const {
+  const detail::EdgePool& pool = *graph_.edge_pools()[name.pool];
+  if (!pool.alive(name.slot) || pool.level(name.slot) != 0 || !pool.enabled(name.slot)) return false;
+  return aside_.empty() || !aside_.contains({name.pool, name.slot, pool.generation(name.slot)});
+}
+
+std::vector<EdgeRef> LiveProblem::edges() const {
+  std::vector<EdgeRef> result;
+  for (const EdgeRef& edge : graph_.all_edges()) {
+    const EdgeName name{edge.pool, edge.slot};
+    if (may_take_part(name) && !is_left_out(name)) result.push_back(edge);
+  }
+  return result;
 }
 
 bool LiveProblem::can_move(std::uint32_t pool, std::uint32_t slot) const {
@@ -197,9 +211,7 @@ void LiveProblem::apply_edge(EdgeRef edge) {
   const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
   EdgeEntry& entry = edges_[edge.pool][edge.slot];
   if (entry.term != kNone) return queue({edge.pool, edge.slot});
-  if (!pool.alive(edge.slot) || pool.level(edge.slot) != 0) return;
-  if (!aside_.empty() && aside_.contains({edge.pool, edge.slot, pool.generation(edge.slot)})) return;
-  if (is_left_out(edge)) return;
+  if (!may_take_part({edge.pool, edge.slot}) || is_left_out({edge.pool, edge.slot})) return;
   if (graph_.edge_pools()[edge.pool]->shift(edge.slot) != nullptr)
     throw InvalidArgument("Smoother: expected edges without constraints; use optimize()");
   blocks_.clear();

@@ -95,6 +95,8 @@ class LiveProblem {
   Index block(VertexRef vertex) const;
   /// Whether a vertex has a block, or is held or fixed.
   bool takes_part(VertexRef vertex) const;
+  /// The edges that take part: of level 0, enabled, not set aside, and not left out.
+  std::vector<EdgeRef> edges() const;
   std::uint32_t block_count() const { return block_count_; }
   std::uint32_t term_count() const { return term_count_; }
   /// Whether edges were removed or changed, or vertices released, since forget_cuts(), so that something may
@@ -137,7 +139,8 @@ class LiveProblem {
   void take_in(std::vector<VertexRef> vertices);
   void append_left_out(EdgeName edge, std::vector<VertexRef>& out) const;
   bool is_determined_alone(Index block) const;
-  bool is_left_out(EdgeRef edge) const;
+  bool is_left_out(EdgeName edge) const;
+  bool may_take_part(EdgeName edge) const;
   bool can_move(std::uint32_t pool, std::uint32_t slot) const;
   void note_anchor(std::uint32_t pool, std::uint32_t edge);
   bool joins_parts();

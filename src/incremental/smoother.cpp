@@ -300,7 +300,8 @@ class Smoother::Impl {
   /// nothing changes.
   bool anchor() {
     problem_->forget_cuts();
-    return problem_->hold(make_plan(graph_, {}));
+    const std::vector<EdgeRef> edges = problem_->edges();
+    return problem_->hold(edges.empty() ? Plan() : make_plan(graph_, {.edges = edges}));
   }
 
   void fail(SmootherReport& report, LiveProblem::Index block) {

@@ -16,9 +16,18 @@
 
 namespace boxplus {
 
+/// A copy without disabled edges, which cannot join anything.
+inline Graph without_disabled_edges(const Graph& graph) {
+  Graph copy = graph;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (!graph.is_enabled(edge)) copy.remove(edge);
+  }
+  return copy;
+}
+
 /// The largest difference between the estimates of a graph and those of an optimized copy.
 inline double distance_from_batch(const Graph& graph) {
-  Graph copy = graph;
+  Graph copy = without_disabled_edges(graph);
   Options options{.max_iterations = 1000, .threads = 1};
   options.noise_tolerance = 0;
   options.cost_tolerance = 1e-16;
@@ -38,7 +47,7 @@ inline double distance_from_batch(const Graph& graph) {
 
 /// By how much chi2 is above that of an optimized copy, as a fraction.
 inline double excess_over_batch(const Graph& graph) {
-  Graph copy = graph;
+  Graph copy = without_disabled_edges(graph);
   Options options{.max_iterations = 1000, .cost_tolerance = 1e-16, .threads = 1};
   options.noise_tolerance = 0;
   return graph.chi2() / optimize(copy, options).chi2_final - 1;
@@ -83,8 +92,8 @@ class Drive {
       case 3:
         if (v > 0) graph.set_fixed(poses_[v], !graph.is_fixed(poses_[v]) && chance(0.3));
         break;
-      case 4:  // a disabled edge between neighbors would leave its vertices without a measurement
-        if (!links_.contains(e)) graph.set_enabled(e, chance(0.5));
+      case 4:  // a part that only a prior of marginalize() anchors would turn slowly
+        if (!links_.contains(e) || !graph.is_fixed(poses_[0])) graph.set_enabled(e, chance(0.5));
         break;
       case 5:
         graph.set_measurement(e, Between(noisy(graph.measurement(e).measurement)));

@@ -47,6 +47,32 @@ TEST(Smoother, HoldsAVertexOfEachPartIfTheGraphIsCutApartAndReleasesItWhenItIsJo
   EXPECT_LT(distance_from_batch(graph), 1e-6);
 }
 
+TEST(Smoother, TreatsADisabledEdgeAsIfItWereNotThere) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
+  std::vector<EdgeHandle<Between<SE2>>> edges;
+  for (int k = 1; k < 6; ++k) {
+    poses.push_back(graph.add_vertex(SE2(k, 0.1, 0)));
+    edges.push_back(graph.add_edge(Between(SE2(1, 0, 0)), 100.0, poses[poses.size() - 2], poses.back()));
+  }
+  graph.set_enabled(edges[2], false);
+  graph.set_enabled(edges[4], false);
+  Smoother smoother(graph);
+  SmootherReport report = smoother.update();
+  EXPECT_TRUE(report.converged()) << report.message;
+  EXPECT_EQ(report.held.size(), 2U);
+  EXPECT_EQ(report.edges, 3U);
+  EXPECT_EQ(graph.estimate(poses[5]).translation()[1], 0.1);  // it takes no part
+  graph.set_enabled(edges[2], true);
+  graph.set_enabled(edges[4], true);
+  report = smoother.finish();
+  EXPECT_EQ(report.held.size(), 1U);
+  EXPECT_EQ(report.edges, 5U);
+  EXPECT_LT(distance_from_batch(graph), 1e-6);
+  graph.set_enabled(edges[2], false);
+  EXPECT_EQ(smoother.update().held.size(), 2U);
+}
+
 TEST(Smoother, LeavesAVertexOutAsLongAsItsEdgesDoNotDetermineIt) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2());
