@@ -13,7 +13,7 @@
 namespace {
 
 using namespace boxplus;
-using namespace boxplus::programs;
+using namespace boxplus::app;
 
 constexpr ProtocolLimits kLimits{.max_id = 1000, .max_vertices = 20, .max_edges = 30};
 
@@ -33,7 +33,8 @@ Outcome run(std::string_view text, std::size_t piece) {
   Outcome outcome;
   Graph graph;
   CommandStream stream("input");
-  Protocol protocol(graph, "input", {.solve = [&] { ++outcome.solved; }, .fix = {}}, kLimits);
+  Protocol protocol(
+      graph, "input", [&] { ++outcome.solved; }, kLimits);
   try {
     for (; !text.empty(); text.remove_prefix(std::min(piece, text.size()))) {
       std::string_view received = text.substr(0, piece);

@@ -85,6 +85,45 @@ class ReplayTest(CommandCase):
                 texts.append(file.read())
         self.assertEqual(texts[0], texts[1])
 
+    def commands_of(self, path):
+        """The commands with which a robot would send the edges of a file, pose by pose."""
+        with open(path, encoding="utf-8") as file:
+            edges = [line.split()[1:] for line in file if line.startswith("EDGE_SE2")]
+        edges.sort(key=lambda fields: max(map(int, fields[:2])))
+        last, commands = 0, []
+        for fields in edges:
+            newest = max(map(int, fields[:2]))
+            if newest != last:
+                commands.append("SOLVE_STATE;")
+            last = newest
+            commands.append(f"ADD EDGE_XYT {' '.join(fields)};")
+        return [*commands, "SOLVE_STATE;", "QUERY_STATE 0 99;"]
+
+    def test_a_robot_can_send_its_graph_online(self):
+        path = self.simulated("manhattan", "--poses", "100")
+        out, report = self.path / "out.g2o", self.path / "report.json"
+        done = run("replay", "--online", "-o", out, "--json", report, stdin="\n".join(self.commands_of(path)))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\ABEGIN\nVERTEX_XYT 0 0 0 0\nVERTEX_XYT 99 \S+ \S+ \S+\nEND\n\Z")
+        with open(report, encoding="utf-8") as file:
+            facts = json.load(file)
+        expected = self.replayed(path)
+        self.assertEqual((facts["steps"], facts["edges"]), (100, expected["edges"]))
+        self.assertLess(abs(facts["chi2_final"] - expected["chi2_final"]), 1e-6 * expected["chi2_final"])
+        self.assertLess(self.optimized(out)["iterations"], 4)
+
+    def test_a_wrong_command_is_named_and_nothing_is_written(self):
+        out = self.path / "out.g2o"
+        done = run("replay", "--online", "-o", out, stdin="ADD VERTEX_XYT 1;\nADD EDGE_XYT 1 1 x;")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("<stdin>:2:", done.stderr)
+        self.assertFalse(out.exists())
+
+    def test_answers_and_the_report_cannot_share_standard_output(self):
+        self.assertEqual(run("replay", "--online", "--json", "-").returncode, 2)
+        self.assertEqual(run("replay", "--online", self.simulated("manhattan", "--poses", "20")).returncode, 2)
+        self.assertEqual(run("replay").returncode, 2)
+
     def test_bad_input_is_refused(self):
         self.assertEqual(run("replay", self.path / "missing.g2o").returncode, 2)
         path = self.simulated("manhattan", "--poses", "20")

@@ -128,9 +128,9 @@ class CommandView(CommandCase):
     """A command with the option --view."""
     command = None
 
-    def start(self, *options):
-        process = subprocess.Popen([BOXPLUS, self.command, str(TOWN), "--view", *options], stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE, text=True)
+    def start(self, *options, source=str(TOWN)):
+        process = subprocess.Popen([BOXPLUS, self.command, source, "--view", *options], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: process.poll() is None and process.kill())
         viewer = Viewer.__new__(Viewer)
         viewer.process, viewer.streams = process, []
@@ -153,6 +153,19 @@ class ReplayView(CommandView):
         stream.read_until(lambda s: lines(s) > last and not s.state["busy"])
         self.assertEqual(viewer.end(), 0)
         self.assertTrue(output.exists())
+
+    def test_shows_the_graph_that_a_robot_sends(self):
+        viewer = self.start(source="--online")
+        stream = viewer.stream()
+        commands = viewer.process.stdin
+        for k in range(1, 4):
+            commands.write(f"ADD EDGE_XYT {k - 1} {k} 1 0 0 1 0 0 1 0 1;\nSOLVE_STATE;\n")
+            commands.flush()
+            stream.read_until(lambda s, k=k: s.state["file"]["edges"] == k)
+        commands.close()
+        viewer.process.stdin = None
+        stream.read_until(lambda s: not s.state["busy"])
+        self.assertEqual(viewer.end(), 0)
 
     def test_ends_early_on_request(self):
         viewer = self.start("--seconds", "1000")

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "boxplus/base/error.h"
 #include "boxplus/optimize/optimizer.h"
@@ -18,6 +19,7 @@
 #include "files/graph_input.h"
 #include "files/interrupt.h"
 #include "files/outputs.h"
+#include "protocol/serve_commands.h"
 #include "replay/replay_run.h"
 #include "replay/time_chart.h"
 #include "view/live_view.h"
@@ -30,16 +32,21 @@ constexpr const char* kReplayFooter =
     "it brings all estimates to the optimum (docs/live.md). A new pose begins where its first edge puts\n"
     "it. After the last step, the estimates are brought to the optimum to the last digits.\n"
     "\n"
+    "With --online, the graph comes from standard input, in the protocol of g2o_online, as a robot sends\n"
+    "it: ADD VERTEX_XYT id; ADD EDGE_XYT from to x y theta information; the same with XYZRPY; FIX id;\n"
+    "SOLVE_STATE; and QUERY_STATE, whose answers go to standard output. SOLVE_STATE is a step.\n"
+    "\n"
     "Examples:\n"
     "  boxplus replay drive.g2o -o map.g2o\n"
     "  boxplus replay drive.g2o --times times.csv --compare-every 100\n"
     "  boxplus replay drive.g2o --json - | jq .time_s\n"
     "  boxplus replay drive.g2o --view --open --seconds 60\n"
+    "  robot | boxplus replay --online -o map.g2o\n"
     "\n"
     "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.";
 
 struct ReplayArguments : ServingArguments {
-  bool view = false;
+  bool view = false, online = false;
   double seconds = 20;  // how long the page shows the replay, at least
   std::string input, output, json, times, plot;
   int compare_every = 0;
@@ -75,6 +82,7 @@ double median(std::vector<double> values) {
 /// The result of a replay.
 struct Outcome {
   SmootherReport last;
+  bool is_whole = true;  // nobody has ended it early
   double chi2 = 0, worst_s = 0, median_s = 0;
   std::size_t worst_step = 0, failures = 0, aside = 0;
   std::vector<Excess> excesses;
@@ -94,14 +102,13 @@ class PacedView {
     view_.wait_for_page();
     next_ = Clock::now();
   }
-  /// Shows a step. Returns false if the user has pressed Ctrl-C.
-  bool show() {
+  /// Shows a step, until it is time for the next one or Interrupt is raised.
+  void show() {
     view_.follow();
     next_ += std::chrono::duration_cast<Clock::duration>(pause_);
     constexpr auto kPatience = std::chrono::milliseconds(50);
     while (!Interrupt::raised() && Clock::now() < next_)
       std::this_thread::sleep_until(std::min(next_, Clock::now() + kPatience));
-    return !Interrupt::raised();
   }
 
  private:
@@ -111,19 +118,49 @@ class PacedView {
   Clock::time_point next_;
 };
 
-Outcome run(const ReplayArguments& arguments, const Graph& graph, Replay& replay, LiveView* view) {
+void step(const ReplayArguments& arguments, const Graph& graph, Replay& replay, Outcome& outcome) {
+  const SmootherReport report = replay.step();
+  if (!report.message.empty() && outcome.failures++ == 0)
+    print_message(fmt::format("step {}: {}", replay.done(), report.message));
+  const bool is_due =
+      arguments.compare_every > 0 && replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
+  if (is_due) outcome.excesses.push_back(compare_with_batch(graph, replay));
+}
+
+Outcome run_from_file(const ReplayArguments& arguments, Graph& graph, Replay& replay, FileFeed& feed,
+                      LiveView* view) {
   Outcome outcome;
   std::optional<PacedView> paced;
-  if (view != nullptr) paced.emplace(*view, arguments, replay.steps());
-  while (replay.done() < replay.steps()) {
-    const SmootherReport report = replay.step();
-    if (paced && !paced->show()) break;
-    if (!report.message.empty() && outcome.failures++ == 0)
-      print_message(fmt::format("step {}: {}", replay.done(), report.message));
-    const bool is_due =
-        arguments.compare_every > 0 && replay.done() % static_cast<std::size_t>(arguments.compare_every) == 0;
-    if (is_due) outcome.excesses.push_back(compare_with_batch(graph, replay));
+  if (view != nullptr) paced.emplace(*view, arguments, feed.steps());
+  for (std::size_t k = 0; k < feed.steps() && outcome.is_whole; ++k) {
+    feed.add(k);
+    step(arguments, graph, replay, outcome);
+    if (paced) paced->show();
+    outcome.is_whole = !paced || !Interrupt::raised();
   }
+  return outcome;
+}
+
+Outcome run_online(const ReplayArguments& arguments, Graph& graph, Replay& replay, LiveView* view) {
+  Outcome outcome;
+  bool is_shown = view == nullptr;
+  if (view != nullptr) view->wait_for_page();
+  serve_commands(graph, {.solve =
+                             [&] {
+                               step(arguments, graph, replay, outcome);
+                               if (view != nullptr) view->follow(), is_shown = false;
+                             },
+                         .answer = [](std::string_view text) { write_output(kStandardStream, text); },
+                         .idle =
+                             [&] {
+                               if (!std::exchange(is_shown, true)) view->show();
+                             }});
+  outcome.is_whole = !Interrupt::raised();
+  return outcome;
+}
+
+/// Completes the outcome after the last step.
+Outcome finish(Outcome outcome, Replay& replay) {
   outcome.last = replay.finish();
   outcome.aside = replay.smoother().set_aside().size();
   outcome.chi2 = replay.chi2();
@@ -202,36 +239,44 @@ int replay_file(const ReplayArguments& arguments) {
   const std::vector<Output> outputs{graph_output("--output", arguments.output, arguments.input),
                                     {"--json", arguments.json},
                                     {"--times", arguments.times},
-                                    {"--plot", arguments.plot}};
+                                    {"--plot", arguments.plot},
+                                    {"--online", arguments.online ? kStandardStream : ""}};
   for (const Output& output : {outputs[1], outputs[2], outputs[3]})
     refuse_to_replace(output, {arguments.input});
   check_outputs(outputs);
-  GraphFile file = read_input(arguments.input, arguments.reading, arguments.quiet);
+  GraphFile file;
+  if (!arguments.online) file = read_input(arguments.input, arguments.reading, arguments.quiet);
   print_notes(file, arguments.input);
   if (!arguments.output.empty()) require_representable(arguments.output, file);
+  std::optional<FileFeed> feed;
+  if (!arguments.online) feed.emplace(file.graph);
   Replay replay(file.graph, arguments.options);
   std::optional<Interrupt> interrupt;
   std::optional<LiveView> view;
-  if (arguments.view) {
-    interrupt.emplace();
-    view.emplace(file, arguments.input, arguments, viewer::Drawn::kTakingPart);
-  }
-  const Outcome outcome = run(arguments, file.graph, replay, view ? &*view : nullptr);
+  if (arguments.view || arguments.online) interrupt.emplace();
+  if (arguments.view) view.emplace(file, arguments.input, arguments, viewer::Drawn::kTakingPart);
+  LiveView* const shown = view ? &*view : nullptr;
+  const Outcome outcome = finish(feed ? run_from_file(arguments, file.graph, replay, *feed, shown)
+                                      : run_online(arguments, file.graph, replay, shown),
+                                 replay);
   if (!arguments.json.empty()) write_output(arguments.json, json_of(arguments, replay, outcome));
   if (!arguments.times.empty()) write_output(arguments.times, csv_of(replay.seconds()));
   if (!arguments.plot.empty()) write_output(arguments.plot, chart_of(arguments, replay, outcome));
   if (!arguments.output.empty()) save_graph(arguments.output, file, {}, arguments.quiet);
   if (!arguments.quiet) print_summary(outputs, summary(arguments, replay, outcome));
-  const bool is_whole = outcome.last.converged() && replay.done() == replay.steps();
-  const int code = !outcome.last.message.empty() ? kNumericalFailure : is_whole ? kSuccess : kNotConverged;
+  const bool is_good = outcome.last.converged() && outcome.is_whole;
+  const int code = !outcome.last.message.empty() ? kNumericalFailure : is_good ? kSuccess : kNotConverged;
   if (view) view->serve(code);
   return code;
 }
 
 void add_options(CLI::App& command, ReplayArguments& arguments) {
-  command.add_option("FILE", arguments.input, "The graph, or - for standard input")
-      ->required()
-      ->check(file_name());
+  CLI::Option* const file =
+      command.add_option("FILE", arguments.input, "The graph, or - for standard input")->check(file_name());
+  command
+      .add_flag("--online", arguments.online,
+                "Instead of FILE, execute commands of standard input as they arrive, and answer")
+      ->excludes(file);
   command.add_option("-o,--output", arguments.output, "Write the result to this file")->check(file_name());
   command.add_option("--json", arguments.json, "Write a report to this file, or - for standard output")
       ->check(file_name());
@@ -287,6 +332,8 @@ void add_replay(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<ReplayArguments>();
   add_options(command, *arguments);
   command.callback([arguments, &action] {
+    if (arguments->online) arguments->input = kStandardStream;
+    if (arguments->input.empty()) throw CLI::RequiredError("FILE or --online");
     SmootherOptions& options = arguments->options;
     options.relinearize.angle = options.relinearize.other = 0.15 * options.relinearize.length;
     options.noticeable.angle = options.noticeable.other = 0.5 * options.noticeable.length;

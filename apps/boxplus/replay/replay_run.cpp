@@ -5,12 +5,8 @@
 
 namespace boxplus::app {
 
-Replay::Replay(Graph& graph, const SmootherOptions& options)
-    : graph_(graph),
-      vertices_(graph.all_vertices()),
-      edges_(vertices_.size()),
-      placement_(graph),
-      smoother_(graph, options) {
+FileFeed::FileFeed(Graph& graph)
+    : graph_(graph), vertices_(graph.all_vertices()), edges_(vertices_.size()), placement_(graph) {
   std::vector<std::vector<std::size_t>> step_of(graph.vertex_pools().size());
   for (std::size_t p = 0; p < step_of.size(); ++p) step_of[p].resize(graph.vertex_pools()[p]->slots(), 0);
   for (std::size_t k = 0; k < vertices_.size(); ++k) step_of[vertices_[k].pool][vertices_[k].slot] = k;
@@ -27,13 +23,15 @@ Replay::Replay(Graph& graph, const SmootherOptions& options)
   }
 }
 
-SmootherReport Replay::step() {
-  const std::size_t k = done();
-  for (const EdgeRef& edge : edges_[k]) {
+void FileFeed::add(std::size_t step) {
+  for (const EdgeRef& edge : edges_[step]) {
     graph_.set_level(edge, 0);
     placement_.place_by(edge);
   }
-  placement_.keep(vertices_[k]);
+  placement_.keep(vertices_[step]);
+}
+
+SmootherReport Replay::step() {
   const SmootherReport report = count(smoother_.update());
   seconds_.push_back(report.time_s);
   return report;
@@ -58,13 +56,13 @@ SmootherReport Replay::count(const SmootherReport& report) {
 double Replay::chi2() const {
   double sum = 0;
   const std::vector<EdgeRef> aside = smoother_.set_aside();  // sorted
-  for (std::size_t k = 0; k < done(); ++k) {
-    for (const EdgeRef& edge : edges_[k]) {
-      if (!graph_.is_enabled(edge) || std::binary_search(aside.begin(), aside.end(), edge)) continue;
-      const RobustKernel* const kernel = graph_.kernel(edge);
-      const double e2 = graph_.chi2(edge);
-      sum += kernel != nullptr ? (*kernel)(e2).value : e2;
-    }
+  for (const EdgeRef& edge : graph_.all_edges()) {
+    const bool takes_part = graph_.level(edge) == 0 && graph_.is_enabled(edge) &&
+                            !std::binary_search(aside.begin(), aside.end(), edge);
+    if (!takes_part) continue;
+    const RobustKernel* const kernel = graph_.kernel(edge);
+    const double e2 = graph_.chi2(edge);
+    sum += kernel != nullptr ? (*kernel)(e2).value : e2;
   }
   return sum;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gives the vertices of a graph to a Smoother one by one, as a robot would.
+// Updates a Smoother step by step, and keeps the records of a replay.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
@@ -11,22 +12,19 @@
 
 namespace boxplus::app {
 
-/// Step k adds the vertex with the k-th lowest id, and the edges between it and vertices before it. Until
-/// then, an edge has level 1, so that it takes no part. A new pose or point begins where its first edge puts
-/// it; the estimates of the file do not count, except those of fixed vertices.
 class Replay {
  public:
   /// `graph` must outlive this object.
-  Replay(Graph& graph, const SmootherOptions& options);
+  Replay(Graph& graph, const SmootherOptions& options) : graph_(graph), smoother_(graph, options) {}
 
-  std::size_t steps() const { return vertices_.size(); }
+  /// The number of steps.
   std::size_t done() const { return seconds_.size(); }
-  /// Does the next step.
+  /// Does a step: updates the estimates.
   SmootherReport step();
   /// Brings the estimates to the optimum to the last digits.
   SmootherReport finish();
   Smoother& smoother() { return smoother_; }
-  /// The time of each update, in seconds.
+  /// The time of each step, in seconds.
   const std::vector<double>& seconds() const { return seconds_; }
   /// chi2 of the edges that take part now.
   double chi2() const;
@@ -43,12 +41,28 @@ class Replay {
   SmootherReport count(const SmootherReport& report);
 
   Graph& graph_;
-  std::vector<VertexRef> vertices_;
-  std::vector<std::vector<EdgeRef>> edges_;  // of each step
-  Placement placement_;
   Smoother smoother_;
   std::vector<double> seconds_;
   Totals totals_;
+};
+
+/// Lets the vertices of a graph take part one by one, as a robot would add them. Step k adds the vertex with
+/// the k-th lowest id, and the edges between it and vertices before it. Until then, an edge has level 1, so
+/// that it takes no part. A new pose or point begins where its first edge puts it; the estimates of the file
+/// do not count, except those of fixed vertices.
+class FileFeed {
+ public:
+  /// `graph` must outlive this object.
+  explicit FileFeed(Graph& graph);
+
+  std::size_t steps() const { return vertices_.size(); }
+  void add(std::size_t step);
+
+ private:
+  Graph& graph_;
+  std::vector<VertexRef> vertices_;
+  std::vector<std::vector<EdgeRef>> edges_;  // of each step
+  Placement placement_;
 };
 
 }  // namespace boxplus::app

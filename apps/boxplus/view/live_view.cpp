@@ -39,7 +39,7 @@ void LiveView::serve(const Report& report, int code) {
 }
 
 void LiveView::serve(int code) {
-  workspace_.update();
+  show();
   serve_graph(code);
 }
 

@@ -23,6 +23,8 @@ class LiveView {
   void wait_for_page() const;
   /// Shows what has changed in the graph, unless it is too early after the last time.
   void follow() { workspace_.follow(); }
+  /// Shows the graph as it is now.
+  void show() { workspace_.update(); }
   /// Shows the end of the run. Then serves the page, which may go on with the graph, until Ctrl-C
   /// (Interrupt). `code` is the exit code of the process.
   void serve(const Report& report, int code);

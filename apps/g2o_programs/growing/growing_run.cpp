@@ -2,16 +2,11 @@
 #include "growing/growing_run.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <limits>
 
-#include "boxplus/base/error.h"
 #include "common/program.h"
-#include "protocol/protocol.h"
+#include "protocol/serve_commands.h"
 
 namespace boxplus::programs {
 
@@ -56,22 +51,7 @@ void GrowingRun::print(const char* work) const {
 }
 
 void serve_protocol(Graph& graph, GrowingRun& run) {
-  CommandStream stream("<stdin>");
-  Protocol protocol(graph, stream.name(), {.solve = [&] { run.solve(); }, .fix = {}});
-  std::array<char, 1 << 16> piece;
-  while (true) {
-    const ssize_t count = ::read(STDIN_FILENO, piece.data(), piece.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw FileError(stream.name() + ": cannot be read: " + std::strerror(errno));
-    if (count == 0) break;
-    std::string_view received(piece.data(), static_cast<std::size_t>(count));
-    while (const std::optional<CommandText> command = stream.next(received)) {
-      std::string answer;
-      protocol.execute(*command, answer);
-      if (!answer.empty()) print_output(answer);
-    }
-  }
-  stream.finish();
+  app::serve_commands(graph, {.solve = [&] { run.solve(); }, .answer = print_output});
 }
 
 }  // namespace boxplus::programs

@@ -26,8 +26,8 @@ namespace boxplus {
 /// et al., "iSAM2: Incremental smoothing and mapping using the Bayes tree", IJRR 2012). A vertex that moves
 /// away from its linearization point is linearized anew, until none does.
 ///
-/// All enabled edges of level 0 take part, and all vertices may move that are not fixed. A graph has at most one
-/// Smoother. If other programs change estimates, for example optimize(), the next update reads the whole
+/// All enabled edges of level 0 take part, and all vertices may move that are not fixed. A graph has at most
+/// one Smoother. If other programs change estimates, for example optimize(), the next update reads the whole
 /// graph again.
 class Smoother {
  public:

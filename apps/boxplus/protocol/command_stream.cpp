@@ -6,7 +6,7 @@
 
 #include "boxplus/base/error.h"
 
-namespace boxplus::programs {
+namespace boxplus::app {
 namespace {
 
 bool is_blank(char c) {
@@ -71,4 +71,4 @@ void CommandStream::finish() const {
   throw InputError(name_, at_.line, at_.column, "expected a ; after the command, got the end of the input");
 }
 
-}  // namespace boxplus::programs
+}  // namespace boxplus::app

@@ -18,7 +18,7 @@
 #include "guess/placement.h"
 #include "protocol/command_stream.h"
 
-namespace boxplus::programs {
+namespace boxplus::app {
 
 struct ProtocolLimits {
   Id max_id = 2147483647;  ///< the ids of g2o are ints
@@ -28,13 +28,9 @@ struct ProtocolLimits {
 /// Executes commands on a graph.
 class Protocol {
  public:
-  /// What the program does at SOLVE_STATE, and before a FIX.
-  struct Callbacks {
-    std::function<void()> solve, fix;
-  };
-
-  /// `graph` must outlive this object. `name` is the name of the stream in messages.
-  Protocol(Graph& graph, std::string name, Callbacks callbacks, const ProtocolLimits& limits = {});
+  /// `graph` must outlive this object. `name` is the name of the stream in messages. `solve` is what the
+  /// program does at SOLVE_STATE.
+  Protocol(Graph& graph, std::string name, std::function<void()> solve, const ProtocolLimits& limits = {});
 
   /// Executes a command, and appends its answer to `answer`. Only QUERY_STATE has one: a line BEGIN, a line
   /// per vertex as in ADD, by ascending id or as they were asked for, and a line END. Throws InputError for a
@@ -57,8 +53,8 @@ class Protocol {
   Graph& graph_;
   Placement placement_;
   std::string name_;
-  Callbacks callbacks_;
+  std::function<void()> solve_;
   ProtocolLimits limits_;
 };
 
-}  // namespace boxplus::programs
+}  // namespace boxplus::app

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace boxplus::programs {
+namespace boxplus::app {
 
 /// A command without its semicolon. Line breaks and comments are blanks.
 struct CommandText {
@@ -57,4 +57,4 @@ class CommandStream {
   bool in_comment_ = false, begins_segment_ = true;
 };
 
-}  // namespace boxplus::programs
+}  // namespace boxplus::app

@@ -6,7 +6,7 @@
 
 #include "boxplus/base/error.h"
 
-namespace boxplus::programs {
+namespace boxplus::app {
 namespace {
 
 using testing::ElementsAre;
@@ -73,4 +73,4 @@ TEST(CommandStream, ACommandHasALargestSize) {
 }
 
 }  // namespace
-}  // namespace boxplus::programs
+}  // namespace boxplus::app

@@ -12,7 +12,7 @@
 #include "boxplus/manifold/se3.h"
 #include "io/without_place.h"
 
-namespace boxplus::programs {
+namespace boxplus::app {
 namespace {
 
 /// A type of the protocol, and the tag of a file whose lines have the same fields.
@@ -58,12 +58,8 @@ void write_vertex(const Graph& graph, VertexRef vertex, std::string& text) {
 
 }  // namespace
 
-Protocol::Protocol(Graph& graph, std::string name, Callbacks callbacks, const ProtocolLimits& limits)
-    : graph_(graph),
-      placement_(graph),
-      name_(std::move(name)),
-      callbacks_(std::move(callbacks)),
-      limits_(limits) {}
+Protocol::Protocol(Graph& graph, std::string name, std::function<void()> solve, const ProtocolLimits& limits)
+    : graph_(graph), placement_(graph), name_(std::move(name)), solve_(std::move(solve)), limits_(limits) {}
 
 void Protocol::execute(const CommandText& command, std::string& answer) {
   FieldReader in(name_, 1, command.text);
@@ -83,7 +79,7 @@ void Protocol::execute(FieldReader& in, std::string& answer) {
   if (word == "QUERY_STATE") return query(in, answer);
   if (word != "SOLVE_STATE") refuse(in, place, "ADD, FIX, QUERY_STATE or SOLVE_STATE", word);
   in.expect_end();
-  if (callbacks_.solve) callbacks_.solve();
+  solve_();
 }
 
 void Protocol::add(FieldReader& in) {
@@ -171,7 +167,6 @@ std::vector<VertexRef> Protocol::known_to_end(FieldReader& in) const {
 void Protocol::fix(FieldReader& in) {
   std::vector<VertexRef> vertices{known(in)};
   for (const VertexRef& vertex : known_to_end(in)) vertices.push_back(vertex);
-  if (callbacks_.fix) callbacks_.fix();
   for (const VertexRef& vertex : vertices) {
     graph_.fix(vertex);
     placement_.keep(vertex);
@@ -185,4 +180,4 @@ void Protocol::query(FieldReader& in, std::string& answer) const {
   answer += "END\n";
 }
 
-}  // namespace boxplus::programs
+}  // namespace boxplus::app
