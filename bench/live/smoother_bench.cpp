@@ -3,16 +3,13 @@
 //
 //   smoother_bench FOLDER      replays public graphs, one update per vertex
 //   smoother_bench lag STEPS   drives with a fixed lag of 200 poses and landmarks
-//   smoother_bench nees RUNS   compares the errors of a fixed lag with its covariances
 //   smoother_bench outliers FOLDER   the same with 30 % false loop closures
 //   smoother_bench months N    visits the same 2,000 places again and again, N poses in all
 #include <malloc.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <deque>
 #include <map>
 #include <random>
 #include <string>
@@ -26,6 +23,7 @@
 #include "boxplus/types/slam2d.h"
 #include "datasets/cpu_time.h"
 #include "datasets/median.h"
+#include "incremental/road.h"
 #include "replay/replay_run.h"
 
 namespace boxplus::bench {
@@ -64,14 +62,24 @@ Batch measure_batch(const std::string& path) {
   return batch;
 }
 
+/// A file that is fed to a replay.
+struct FileReplay : app::FileFeed, app::Replay {
+  FileReplay(Graph& graph, const SmootherOptions& options) : FileFeed(graph), Replay(graph, options) {}
+  bool is_done() const { return done() == steps(); }
+  SmootherReport step() {
+    add(done());
+    return Replay::step();
+  }
+};
+
 void replay_file(const std::string& name, const std::string& path) {
   constexpr std::size_t kBetweenChecks = 100;
   const Batch batch = measure_batch(path);
   double excess = 0, with_marginals = 0;
   {  // not timed
     GraphFile file = read_graph(path);
-    app::Replay replay(file.graph, {});
-    while (replay.done() < replay.steps()) {
+    FileReplay replay(file.graph, {});
+    while (!replay.is_done()) {
       replay.step();
       if (replay.done() % kBetweenChecks != 0) continue;
       Graph copy = file.graph;
@@ -80,14 +88,14 @@ void replay_file(const std::string& name, const std::string& path) {
     }
   }
   GraphFile file = read_graph(path);
-  app::Replay replay(file.graph, {});
-  while (replay.done() < replay.steps()) replay.step();
+  FileReplay replay(file.graph, {});
+  while (!replay.is_done()) replay.step();
   replay.finish();
   {
     GraphFile again = read_graph(path);
     const std::vector<VertexRef> vertices = again.graph.all_vertices();
-    app::Replay marginals(again.graph, {});
-    while (marginals.done() < marginals.steps()) {
+    FileReplay marginals(again.graph, {});
+    while (!marginals.is_done()) {
       if (!marginals.step().converged() || marginals.done() < 3) continue;
       with_marginals +=
           timed([&] { (void)marginals.smoother().covariance({vertices[marginals.done() - 1]}); });
@@ -136,8 +144,8 @@ void replay_false_closures(const std::string& name, const std::string& path) {
     const std::vector<EdgeRef> added = add_false_closures(graph, {.fraction = 0.3, .seed = seed});
     Graph whole = graph;
     const OutlierReport batch = find_outliers(whole, {.options = {.threads = 1}});
-    app::Replay replay(graph, {.sets_outliers_aside = true});
-    while (replay.done() < replay.steps()) replay.step();
+    FileReplay replay(graph, {.sets_outliers_aside = true});
+    while (!replay.is_done()) replay.step();
     replay.finish();
     const auto missed = [&](auto&& is_rejected) {
       return std::count_if(added.begin(), added.end(), [&](EdgeRef edge) { return !is_rejected(edge); });
@@ -162,77 +170,6 @@ void replay_false_closures(const std::string& name, const std::string& path) {
 
 // ---- Fixed lag ----
 
-/// A robot that drives around a block, 1 m per step, and sees landmarks beside the road.
-class Road {
- public:
-  Road(unsigned seed, std::size_t lag) : random_(seed), smoother_(graph_, {.lag = lag}) {
-    add_pose(SE2());
-    graph_.add_edge(Prior(SE2()), 1e4, pose_);
-  }
-
-  SmootherReport step() {
-    const SE2 motion(1, 0, kTurn);
-    truth_ = truth_ * motion;
-    const SE2 measured = motion * SE2(noise(kMotion), noise(kMotion), noise(kTurnNoise));
-    const auto last = pose_;
-    add_pose(graph_.estimate(last) * measured);
-    std::vector<double> omega{1 / (kMotion * kMotion), 1 / (kMotion * kMotion),
-                              1 / (kTurnNoise * kTurnNoise)};
-    graph_.add_edge(Between(measured), Information::diagonal(omega), last, pose_);
-    observe();
-    return smoother_.update();
-  }
-
-  /// (x̂ ⊟ x)ᵀ Σ⁻¹ (x̂ ⊟ x) of the newest pose.
-  double nees() {
-    double error[3];
-    Manifold<SE2>::ominus(truth_, graph_.estimate(pose_), error);
-    const Eigen::Map<const Eigen::Vector3d> e(error);
-    return e.dot(Eigen::Matrix3d(smoother_.covariance({pose_})).ldlt().solve(e));
-  }
-  const Graph& graph() const { return graph_; }
-
- private:
-  static constexpr double kTurn = 2e-3, kMotion = 0.02, kTurnNoise = 0.002, kSeen = 0.1;
-  struct Landmark {
-    Vector2 place;
-    VertexHandle<Vector2> vertex;
-    bool is_known = false;
-  };
-
-  double noise(double sigma) { return sigma * std::normal_distribution<>()(random_); }
-
-  void add_pose(const SE2& guess) {
-    pose_ = graph_.add_vertex(guess);
-    // Two new landmarks ahead, one on each side of the road.
-    for (const double side : {-6.0, 6.0}) {
-      const Vector2 local(12 + noise(1), side + noise(1));
-      if (std::bernoulli_distribution(0.3)(random_)) landmarks_.push_back({truth_ * local, {}, false});
-    }
-    while (!landmarks_.empty() && truth_.inverse_times(landmarks_.front().place)[0] < -12)
-      landmarks_.pop_front();
-  }
-
-  void observe() {
-    for (Landmark& landmark : landmarks_) {
-      const Vector2 exact = truth_.inverse_times(landmark.place);
-      if (exact.norm() > 12) continue;
-      const Vector2 seen(exact[0] + noise(kSeen), exact[1] + noise(kSeen));
-      if (!landmark.is_known) landmark.vertex = graph_.add_vertex(graph_.estimate(pose_) * seen);
-      landmark.is_known = true;
-      if (!graph_.contains(landmark.vertex)) continue;
-      graph_.add_edge(PointObservation2(seen), 1 / (kSeen * kSeen), pose_, landmark.vertex);
-    }
-  }
-
-  std::mt19937_64 random_;
-  Graph graph_;
-  Smoother smoother_;
-  SE2 truth_;
-  VertexHandle<SE2> pose_;
-  std::deque<Landmark> landmarks_;
-};
-
 void drive_with_lag(long steps) {
   constexpr std::size_t kLag = 200;
   Road road(1, kLag);
@@ -252,19 +189,6 @@ void drive_with_lag(long steps) {
                 road.graph().edge_count(), mallinfo2().uordblks / 1024);
     std::fflush(stdout);
   }
-}
-
-void measure_nees(int runs) {
-  double sum = 0;
-  for (int run = 1; run <= runs; ++run) {
-    Road road(static_cast<unsigned>(run), 20);
-    for (int k = 0; k < 300; ++k) (void)road.step();
-    sum += road.nees();
-  }
-  // The sum has the χ² distribution of 3 · runs degrees of freedom.
-  const double freedom = 3.0 * runs, spread = 1.96 * std::sqrt(2 * freedom);
-  std::printf("NEES of the last pose: %.2f on average over %d runs, 95 %% bounds %.2f to %.2f\n", sum / runs,
-              runs, (freedom - spread) / runs, (freedom + spread) / runs);
 }
 
 // ---- Months ----
@@ -331,7 +255,6 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "../shared/data";
   const long number = argc > 2 ? std::atol(argv[2]) : 0;
   if (what == "lag") return drive_with_lag(number > 0 ? number : 20000), 0;
-  if (what == "nees") return measure_nees(number > 0 ? static_cast<int>(number) : 20), 0;
   if (what == "outliers") {
     const std::string folder = argc > 2 ? argv[2] : "../shared/data";
     std::printf(
