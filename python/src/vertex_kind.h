@@ -58,7 +58,7 @@ void step_derivative(const double* row, double* out) {
   std::array<Dual, std::size_t{Value<T>::kSize}> moved;
   Value<T>::to_row(detail::lift(Value<T>::from_row(row, {}), detail::Seed<Dual>{}), moved.data());
   for (const Dual& number : moved) {
-    for (int k = 0; k < kDim; ++k) *out++ = number.derivative[static_cast<std::size_t>(k)];
+    for (int k = 0; k < kDim; ++k) *out++ = number.derivative[k];
   }
 }
 

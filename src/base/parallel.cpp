@@ -167,7 +167,7 @@ class Pool {
     return count;
   }
 
-  Worker& worker(int index) { return *workers_[static_cast<std::size_t>(index - 1)]; }
+  Worker& worker(int index) { return *workers_[index - 1]; }
 
   std::mutex callers_;
   std::vector<std::unique_ptr<Worker>> workers_;

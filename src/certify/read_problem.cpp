@@ -84,8 +84,7 @@ bool Reader::read_edge(const EdgeRef& edge) {
       relative.rotation_rows != d * (d - 1) / 2)
     return refuse("an edge does not measure the pose of a vertex relative to another one: " + name(edge));
   if (pool.kernel(edge.slot) != nullptr) return refuse("an edge has a robust kernel: " + name(edge));
-  const auto from = pose(vertices[static_cast<std::size_t>(relative.from)]),
-             to = pose(vertices[static_cast<std::size_t>(relative.to)]);
+  const auto from = pose(vertices[relative.from]), to = pose(vertices[relative.to]);
   if (!from || !to) return false;
   if (problem_.dimension != d) return refuse("some poses are in the plane, and others are in space");
   add(edge, relative, *from, *to);

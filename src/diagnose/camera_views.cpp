@@ -61,12 +61,8 @@ class CameraPool {
   }
 
   std::uint32_t point_pool() const { return vertex_pool(point_); }
-  std::uint32_t point_of(std::uint32_t edge) const {
-    return pool_.vertex_slots(edge)[static_cast<std::size_t>(point_)];
-  }
-  std::uint32_t pose_of(std::uint32_t edge) const {
-    return pool_.vertex_slots(edge)[static_cast<std::size_t>(pose_)];
-  }
+  std::uint32_t point_of(std::uint32_t edge) const { return pool_.vertex_slots(edge)[point_]; }
+  std::uint32_t pose_of(std::uint32_t edge) const { return pool_.vertex_slots(edge)[pose_]; }
   std::vector<detail::Frame> pose_frames() const { return frames(pose_); }
   std::vector<detail::Frame> point_frames() const { return frames(point_); }
   bool inverse() const { return inverse_; }
@@ -86,7 +82,7 @@ class CameraPool {
   }
   detail::Frame frame(std::uint32_t edge, int place) const {
     detail::Frame result;
-    const std::uint32_t slot = pool_.vertex_slots(edge)[static_cast<std::size_t>(place)];
+    const std::uint32_t slot = pool_.vertex_slots(edge)[place];
     evidence_.graph.vertex_pools()[vertex_pool(place)]->get_frame(slot, result);
     return result;
   }
@@ -98,7 +94,7 @@ class CameraPool {
     int column = 0, poses = 0, points = 0;
     for (int place = 0; place < pool_.arity(first); ++place) {
       const detail::VertexPool& vertices = *evidence_.graph.vertex_pools()[vertex_pool(place)];
-      const std::uint32_t slot = pool_.vertex_slots(first)[static_cast<std::size_t>(place)];
+      const std::uint32_t slot = pool_.vertex_slots(first)[place];
       detail::Frame frame;
       if (vertices.get_frame(slot, frame)) {
         if (frame.dimension != 3) return false;

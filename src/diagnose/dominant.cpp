@@ -32,7 +32,7 @@ struct Shares {
         add(edges.chi2[k], rows, all);
         const auto slots = pool.vertex_slots(edge);
         for (int place = 0; place < pool.arity(edge); ++place)
-          add(edges.chi2[k], rows, of[pool.vertex_pool(edge, place)][slots[static_cast<std::size_t>(place)]]);
+          add(edges.chi2[k], rows, of[pool.vertex_pool(edge, place)][slots[place]]);
       }
     }
   }

@@ -110,11 +110,10 @@ class ScaledCholesky {
     for (const int direction : fixed) clear(direction);
     for (int i = 0; i < n_; ++i) {
       if (!(at(i, i) > 0)) return false;
-      scale_[static_cast<std::size_t>(i)] = 1 / std::sqrt(at(i, i));
+      scale_[i] = 1 / std::sqrt(at(i, i));
     }
     for (int j = 0; j < n_; ++j) {
-      for (int i = j; i < n_; ++i)
-        at(i, j) *= scale_[static_cast<std::size_t>(i)] * scale_[static_cast<std::size_t>(j)];
+      for (int i = j; i < n_; ++i) at(i, j) *= scale_[i] * scale_[j];
     }
     for (int j = 0; j < n_; ++j) {
       double pivot = at(j, j);
@@ -132,12 +131,12 @@ class ScaledCholesky {
   /// bᵀ A⁻¹ b. factorize() must have returned true.
   double squared_norm(std::span<const double> b, std::span<const int> fixed) {
     solution_.assign(b.begin(), b.end());
-    for (const int direction : fixed) solution_[static_cast<std::size_t>(direction)] = 0;
+    for (const int direction : fixed) solution_[direction] = 0;
     double sum = 0;
     for (int i = 0; i < n_; ++i) {
-      double& x = solution_[static_cast<std::size_t>(i)];
-      x *= scale_[static_cast<std::size_t>(i)];
-      for (int k = 0; k < i; ++k) x -= at(i, k) * solution_[static_cast<std::size_t>(k)];
+      double& x = solution_[i];
+      x *= scale_[i];
+      for (int k = 0; k < i; ++k) x -= at(i, k) * solution_[k];
       x /= at(i, i);
       sum += x * x;
     }
@@ -145,7 +144,7 @@ class ScaledCholesky {
   }
 
  private:
-  double& at(int i, int j) { return factor_[static_cast<std::size_t>(j * n_ + i)]; }
+  double& at(int i, int j) { return factor_[j * n_ + i]; }
   void clear(int direction) {
     for (int k = 0; k < n_; ++k) at(k, direction) = at(direction, k) = k == direction ? 1 : 0;
   }
@@ -160,7 +159,7 @@ std::vector<std::vector<double>> null_directions(std::span<const double> block, 
   constexpr double kZero = 1e-13;  // of the largest eigenvalue
   Eigen::MatrixXd A(dim, dim);
   for (int j = 0; j < dim; ++j) {
-    for (int i = j; i < dim; ++i) A(i, j) = A(j, i) = block[static_cast<std::size_t>(j * dim + i)];
+    for (int i = j; i < dim; ++i) A(i, j) = A(j, i) = block[j * dim + i];
   }
   for (const int direction : fixed) {
     A.row(direction).setZero();
@@ -320,8 +319,7 @@ std::vector<int> Evidence::held_directions(VertexRef vertex, std::span<const dou
   std::vector<int> held(fixed.begin(), fixed.end());
   if (!pool.has_bounds()) return held;
   for (const detail::Bound& bound : pool.bounds(vertex.slot)) {
-    const double value = *pool.entry(vertex.slot, bound.entry),
-                 slope = gradient[static_cast<std::size_t>(bound.entry)];
+    const double value = *pool.entry(vertex.slot, bound.entry), slope = gradient[bound.entry];
     if ((slope > 0 && value <= bound.lower) || (slope < 0 && value >= bound.upper))
       held.push_back(bound.entry);
   }

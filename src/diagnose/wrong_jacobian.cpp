@@ -77,7 +77,7 @@ Finding describe(const Evidence& evidence, std::vector<EdgeRef> edges, EdgeRef w
   finding.severity = Finding::Severity::kError;
   finding.vertices = {vertex};
   std::vector<double> tangent(static_cast<std::size_t>(evidence.graph.tangent_dim(vertex)), 0.0);
-  tangent[static_cast<std::size_t>(direction)] = 1;
+  tangent[direction] = 1;
   finding.directions = {
       {.kind = Finding::Direction::Kind::kTangent, .vertex = vertex, .tangent = std::move(tangent)}};
   finding.text = fmt::format(

@@ -16,13 +16,13 @@ std::vector<FreeMotions::Axis> axes_of(const MatrixXd& Q) {
   if (Q.cols() == 0) return axes;
   for (Eigen::Index i = 0; i < Q.rows(); ++i) {
     if (Q.row(i).squaredNorm() < 1 - kZero) continue;  // the coordinate axis is not in the space
-    axes.emplace_back()[static_cast<std::size_t>(i)] = 1;
+    axes.emplace_back()[i] = 1;
   }
   if (axes.size() == static_cast<std::size_t>(Q.cols())) return axes;
   axes.clear();
   for (Eigen::Index c = 0; c < Q.cols(); ++c) {
     FreeMotions::Axis& axis = axes.emplace_back();
-    for (Eigen::Index i = 0; i < Q.rows(); ++i) axis[static_cast<std::size_t>(i)] = Q(i, c);
+    for (Eigen::Index i = 0; i < Q.rows(); ++i) axis[i] = Q(i, c);
   }
   return axes;
 }

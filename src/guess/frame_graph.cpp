@@ -50,9 +50,7 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
   detail::RelativeFrame relative;
   if (!pool.enabled(edge) || !pool.relative_frame(edge, relative) || !is_finite(relative.motion)) return;
   const auto slots = pool.vertex_slots(edge);
-  const auto node_at = [&](int i) {
-    return node(pool.vertex_pool(edge, i), slots[static_cast<std::size_t>(i)]);
-  };
+  const auto node_at = [&](int i) { return node(pool.vertex_pool(edge, i), slots[i]); };
   const int arity = static_cast<int>(slots.size());
   if (relative.to < 0 || relative.to >= arity || relative.from >= arity) return;
   const bool absolute = relative.from < 0;

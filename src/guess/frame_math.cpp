@@ -11,7 +11,7 @@ SmallMatrix rotation_of(const detail::Frame& frame) {
   if (!frame.has_rotation) return SmallMatrix::Identity(d, d);
   SmallMatrix rotation(d, d);
   for (int i = 0; i < d; ++i) {
-    for (int j = 0; j < d; ++j) rotation(i, j) = frame.rotation[static_cast<std::size_t>(i * d + j)];
+    for (int j = 0; j < d; ++j) rotation(i, j) = frame.rotation[i * d + j];
   }
   return rotation;
 }
@@ -24,7 +24,7 @@ void set_rotation(detail::Frame& frame, const SmallMatrix& rotation) {
   const int d = frame.dimension;
   frame.has_rotation = true;
   for (int i = 0; i < d; ++i) {
-    for (int j = 0; j < d; ++j) frame.rotation[static_cast<std::size_t>(i * d + j)] = rotation(i, j);
+    for (int j = 0; j < d; ++j) frame.rotation[i * d + j] = rotation(i, j);
   }
 }
 

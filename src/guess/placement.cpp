@@ -22,14 +22,14 @@ void Placement::place_by(EdgeRef edge) {
   if (!graph_.edge_pools()[edge.pool]->relative_frame(edge.slot, relative)) return;
   const std::vector<VertexRef> vertices = graph_.vertices(edge);
   const Frame& motion = relative.motion;
-  const VertexRef to = vertices[static_cast<std::size_t>(relative.to)];
+  const VertexRef to = vertices[relative.to];
   Frame to_frame, from_frame;
   if (!guess::is_finite(motion) || !get_frame(graph_, to, motion.dimension, to_frame)) return;
   if (relative.from == RelativeFrame::kWorld) {
     if (waits(to) && (motion.has_rotation || !to_frame.has_rotation)) set_frame(to, motion);
     return;
   }
-  const VertexRef from = vertices[static_cast<std::size_t>(relative.from)];
+  const VertexRef from = vertices[relative.from];
   if (!get_frame(graph_, from, motion.dimension, from_frame)) return;
   if (waits(from) && waits(to)) keep(graph_.id(from) < graph_.id(to) ? from : to);
   if (waits(to) && (motion.has_rotation || !to_frame.has_rotation)) {

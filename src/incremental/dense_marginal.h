@@ -24,7 +24,7 @@ struct DenseModel {
   /// The position of a vertex, or -1.
   Eigen::Index find(VertexRef vertex) const;
   /// The first entry of a vertex in δ.
-  Eigen::Index first_of(VertexRef vertex) const { return offset[static_cast<std::size_t>(find(vertex))]; }
+  Eigen::Index first_of(VertexRef vertex) const { return offset[find(vertex)]; }
 };
 
 /// 1/√d of each entry, with which H gets a unit diagonal; 0 if an entry is not positive.

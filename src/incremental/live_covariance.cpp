@@ -34,7 +34,7 @@ Eigen::MatrixXd joint_covariance(const Graph& graph, LiveProblem& problem,
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
   for (Eigen::Index j = 0; j < size; ++j) {
     for (Eigen::Index i = 0; i < size; ++i) {
-      const Eigen::Index a = from[static_cast<std::size_t>(i)], b = from[static_cast<std::size_t>(j)];
+      const Eigen::Index a = from[i], b = from[j];
       if (a >= 0 && b >= 0) result(i, j) = found(a, b);
     }
   }

@@ -250,7 +250,7 @@ Index LiveProblem::require_block(std::uint32_t p, std::uint32_t slot) {
   const std::vector<std::uint8_t>& kinds = kinds_of(p, slot);
   noticeable_.clear();
   for (int i = 0; i < pool.tangent_dim(slot); ++i)
-    noticeable_.push_back(distance_of(options_.noticeable, kinds[static_cast<std::size_t>(i)]));
+    noticeable_.push_back(distance_of(options_.noticeable, kinds[i]));
   entry.block = factor_.add_block(noticeable_);
   entry.is_known = entry.moved = true;
   entry.generation = pool.generation(slot);

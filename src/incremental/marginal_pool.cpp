@@ -37,7 +37,7 @@ dense_prior::Rows square_root(const Eigen::MatrixXd& H, const Eigen::VectorXd& b
   Eigen::MatrixXd R(static_cast<Eigen::Index>(kept.size()), H.cols());
   Eigen::VectorXd r(R.rows());
   for (Eigen::Index i = 0; i < R.rows(); ++i) {
-    const Eigen::Index row = kept[static_cast<std::size_t>(i)];
+    const Eigen::Index row = kept[i];
     const double scale = std::sqrt(d[row]);
     R.row(i) = scale * root.row(row);
     r[i] = offset[row] / scale;

@@ -48,13 +48,12 @@ void add_edge(const Graph& graph, EdgeRef edge, DenseModel& model) {
     const Eigen::Index a = model.find(vertices[i]);
     if (a < 0) continue;  // fixed
     const Eigen::MatrixXd weighted = blocks[i].transpose() * omega;
-    const Eigen::Index row = model.offset[static_cast<std::size_t>(a)];
+    const Eigen::Index row = model.offset[a];
     model.b.segment(row, weighted.rows()) += weighted * error;
     for (std::size_t j = 0; j < vertices.size(); ++j) {
       const Eigen::Index c = model.find(vertices[j]);
       if (c < 0) continue;
-      model.H.block(row, model.offset[static_cast<std::size_t>(c)], weighted.rows(), blocks[j].cols()) +=
-          weighted * blocks[j];
+      model.H.block(row, model.offset[c], weighted.rows(), blocks[j].cols()) += weighted * blocks[j];
     }
   }
 }

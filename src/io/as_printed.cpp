@@ -22,7 +22,7 @@ constexpr auto kPowers = [] {
 }();
 
 double rounded(double x, int decimals) {
-  const double power = kPowers[static_cast<std::size_t>(decimals)];
+  const double power = kPowers[decimals];
   return std::nearbyint(x * power) / power;
 }
 
@@ -54,13 +54,13 @@ double length_of(const Numbers& q) {
 std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest,
                                     double tolerance) {
   constexpr double kRoundingNoise = 0.01;
-  const double power = kPowers[static_cast<std::size_t>(decimals[largest])];
+  const double power = kPowers[decimals[largest]];
   for (const double step : {0.0, -1.0, 1.0}) {
     const double factor = (std::nearbyint(q[largest] * power) + step) / power / q[largest];
     Numbers printed;
     bool fits = true;
     for (std::size_t i = 0; i < q.size() && fits; ++i) {
-      const double power_i = kPowers[static_cast<std::size_t>(decimals[i])], number = q[i] * factor * power_i;
+      const double power_i = kPowers[decimals[i]], number = q[i] * factor * power_i;
       printed[i] = std::nearbyint(number) / power_i;
       fits = std::abs(number - std::nearbyint(number)) <= kRoundingNoise;
     }

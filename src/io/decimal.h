@@ -79,7 +79,7 @@ inline std::uint64_t joined(std::uint64_t word, int count) {
 
 /// w ← w · 10^count + digits. Returns false if the result is too large for w.
 inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
-  const std::uint64_t power = kPowers<10, kLanes>[static_cast<std::size_t>(count)];
+  const std::uint64_t power = kPowers<10, kLanes>[count];
   return !__builtin_mul_overflow(w, power, &w) && !__builtin_add_overflow(w, digits, &w);
 }
 
@@ -90,7 +90,7 @@ inline double rounded_quotient(std::uint64_t w, int k) {
   // a double can represent. If there is a remainder, the lowest bit of the quotient is set, so that the
   // conversion to double rounds correctly.
   constexpr int kShift = 62, kBias = 1023, kFractionBits = 52;
-  const std::uint64_t five = kPowers<5, kMostDecimals>[static_cast<std::size_t>(k)];
+  const std::uint64_t five = kPowers<5, kMostDecimals>[k];
   const int shift_w = std::countl_zero(w), shift_five = std::countl_zero(five);
   const Wide dividend = Wide{w << shift_w} << kShift;
   const std::uint64_t divisor = five << shift_five;

@@ -31,7 +31,7 @@ std::array<Slot, kSlots> slots;
 int find_slot(const std::string& name) {
   if (name.size() >= PATH_MAX) return -1;
   for (int k = 0; k < kSlots; ++k) {
-    Slot& slot = slots[static_cast<std::size_t>(k)];
+    Slot& slot = slots[k];
     Slot::State expected = Slot::kFree;
     if (!slot.state.compare_exchange_strong(expected, Slot::kChanging)) continue;
     std::memcpy(slot.name.data(), name.c_str(), name.size() + 1);
@@ -54,7 +54,7 @@ void TemporaryName::assign(std::string name) {
 }
 
 void TemporaryName::release() {
-  if (slot_ >= 0) slots[static_cast<std::size_t>(slot_)].state = Slot::kFree;
+  if (slot_ >= 0) slots[slot_].state = Slot::kFree;
   slot_ = -1;
   name_.clear();
 }

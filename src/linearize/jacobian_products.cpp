@@ -100,7 +100,7 @@ class Group {
 
  private:
   std::uint32_t target_of(int lane, std::size_t vertex) const {
-    return edges_.targets[static_cast<std::size_t>(first_ + lane)][vertex];
+    return edges_.targets[first_ + lane][vertex];
   }
 
   /// Calls f(i, column) for the i-th vertex of the edges, whose first column in the Jacobian is `column`.

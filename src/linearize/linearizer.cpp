@@ -67,8 +67,7 @@ void Linearizer::for_each_chunk(int slices, detail::FunctionRef<bool(const Chunk
   detail::parallel_tasks(threads, [&](int worker) {
     for (int slice = slices * worker / threads; slice < slices * (worker + 1) / threads; ++slice) {
       for (int c = chunks * slice / slices; c < chunks * (slice + 1) / slices; ++c) {
-        if (!f(plan_->chunks[static_cast<std::size_t>(c)], slice, memory_[static_cast<std::size_t>(worker)]))
-          return void(stopped_ = true);
+        if (!f(plan_->chunks[c], slice, memory_[worker])) return void(stopped_ = true);
       }
     }
   });
@@ -189,7 +188,7 @@ double Linearizer::curvature(const LinearizeOptions& options, const double* d) {
   std::fill(chunk_sums_.begin(), chunk_sums_.end(), 0.0);
   for_each_chunk(static_cast<int>(chunk_sums_.size()), [&](const Chunk& chunk, int c, TileMemory& memory) {
     PacedStop pace(stop_, kEdgesBetweenStops);
-    double& sum = chunk_sums_[static_cast<std::size_t>(c)];
+    double& sum = chunk_sums_[c];
     return std::all_of(chunk.runs.begin(), chunk.runs.end(), [&](const Chunk::Run& run) {
       return multiply_run(chunk, run, memory, options, pace, [&](const PlacedTile& edges) {
         sum += memory.products.curvature(edges, layout_of(chunk), d);

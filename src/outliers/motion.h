@@ -36,8 +36,8 @@ inline Motion motion_of(const detail::Frame& frame) {
   Motion motion;
   const int d = frame.dimension;
   for (int i = 0; i < d; ++i) {
-    motion.translation[i] = frame.translation[static_cast<std::size_t>(i)];
-    for (int j = 0; j < d; ++j) motion.rotation(i, j) = frame.rotation[static_cast<std::size_t>(i * d + j)];
+    motion.translation[i] = frame.translation[i];
+    for (int j = 0; j < d; ++j) motion.rotation(i, j) = frame.rotation[i * d + j];
   }
   return motion;
 }

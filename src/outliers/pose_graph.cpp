@@ -60,8 +60,7 @@ class Reader {
       if (!pool.relative_frame(edge.slot, relative) || !relative.motion.has_rotation || relative.from < 0)
         return true;
       const std::vector<VertexRef> vertices = graph_.vertices(edge);
-      const VertexRef from = vertices[static_cast<std::size_t>(relative.from)],
-                      to = vertices[static_cast<std::size_t>(relative.to)];
+      const VertexRef from = vertices[relative.from], to = vertices[relative.to];
       if (!is_pose(from) || !is_pose(to) || relative.rotation_rows == 0 || relative.translation_rows == 0)
         return true;
       const std::optional<Spread> spread = spread_of(graph_.information(edge), relative);

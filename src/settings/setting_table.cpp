@@ -74,7 +74,7 @@ void make_choice(Setting& setting, const Choices<T>& choices, Access access) {
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end())
       throw InvalidArgument(fmt::format("expected one of {}, got '{}'", fmt::join(words, ", "), text));
-    access(settings) = choices[static_cast<std::size_t>(found - words.begin())].second;
+    access(settings) = choices[found - words.begin()].second;
   };
 }
 

@@ -44,7 +44,7 @@ void GaugeRemoval::prepare_to_shorten() {
   const std::vector<std::uint32_t>& offset = plan_->structure.offset;
   std::ranges::copy_if(plan_->held_scalars, std::back_inserter(turning_), [&](std::uint32_t i) {
     const auto block = std::ranges::upper_bound(offset, i) - offset.begin() - 1;
-    const VertexRef vertex = plan_->block_vertex[static_cast<std::size_t>(block)];
+    const VertexRef vertex = plan_->block_vertex[block];
     detail::Frame frame;
     return graph_->vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame);
   });

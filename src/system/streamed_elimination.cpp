@@ -16,7 +16,7 @@ void StreamedElimination::run(const Damping& damping, const SolveControl& contro
   const Stopwatch clock;
   linearizer_->linearize(options, slices(), [&](const Linearizer::Batch& batch) {
     before(batch);
-    const ScopedTimer adder(seconds_[static_cast<std::size_t>(batch.slice)]);
+    const ScopedTimer adder(seconds_[batch.slice]);
     solver_->eliminate_columns(batch.slice, batch.first, batch.last, batch.values, control.stop);
   });
   const double eliminate_s =

@@ -55,7 +55,7 @@ class Revisits {
     constexpr int kLeastGap = 10;
     constexpr double kRecognized = 0.2;
     cells_.around(place, Reach::kRange, [&](int pose) {
-      const bool is_near = (places_[static_cast<std::size_t>(pose)] - place).norm() <= Reach::kRange;
+      const bool is_near = (places_[pose] - place).norm() <= Reach::kRange;
       const bool is_earlier = static_cast<int>(places_.size()) - pose >= kLeastGap;
       if (is_near && is_earlier && random.uniform() < kRecognized) recognize(pose);
     });

@@ -107,7 +107,7 @@ class InertialSimulator {
     InertialSimulation::Keyframe keyframe{time, sample, state, bias, {}};
     const SE3 camera = simulated_flight(time + options_.camera_delay).state.pose * result_.camera_pose;
     for (int k = 0; k < options_.landmarks; ++k) {
-      const Vector3 point = camera.inverse_times(result_.true_landmarks[static_cast<std::size_t>(k)]);
+      const Vector3 point = camera.inverse_times(result_.true_landmarks[k]);
       if (point[2] < 1 || point[2] > 15) continue;
       const Vector2 pixel = result_.camera.project(point);
       if (pixel[0] < 0 || pixel[0] > 640 || pixel[1] < 0 || pixel[1] > 480) continue;

@@ -54,8 +54,8 @@ class Landmarks {
     all_.push_back({truth, std::nullopt});
     return static_cast<int>(all_.size()) - 1;
   }
-  const T& truth(int index) const { return all_[static_cast<std::size_t>(index)].truth; }
-  bool has_vertex(int index) const { return all_[static_cast<std::size_t>(index)].twin.has_value(); }
+  const T& truth(int index) const { return all_[index].truth; }
+  bool has_vertex(int index) const { return all_[index].twin.has_value(); }
 
  private:
   template <class Pose>
@@ -85,8 +85,7 @@ class Simulator {
         expected_poses_(options.poses),
         noise_factor_(options.noise),
         deviation_(noise.deviations) {
-    for (int i = 0; i < kDim; ++i)
-      information_[static_cast<std::size_t>(i)] = 1 / (deviation_[i] * deviation_[i]);
+    for (int i = 0; i < kDim; ++i) information_[i] = 1 / (deviation_[i] * deviation_[i]);
   }
 
   /// Adds the next pose of the trajectory, and an odometry edge from the previous pose. If `has_edge` is
@@ -119,12 +118,10 @@ class Simulator {
   }
 
   int size() const { return static_cast<int>(truths_.size()); }
-  const Pose& truth(int pose) const { return truths_[static_cast<std::size_t>(pose)]; }
+  const Pose& truth(int pose) const { return truths_[pose]; }
 
   /// The estimate of a pose in the simulated graph.
-  const Pose& guess_of(int pose) const {
-    return result_.graph.estimate(poses_[static_cast<std::size_t>(pose)]);
-  }
+  const Pose& guess_of(int pose) const { return result_.graph.estimate(poses_[pose]); }
   /// The estimate of the last pose in the simulated graph.
   const Pose& last_guess() const { return result_.graph.estimate(poses_.back()); }
 
@@ -171,8 +168,7 @@ class Simulator {
   void observe_from(int pose, Landmarks<T>& landmarks, int index, const E& edge,
                     const Vector<double, N>& deviations, const T& guess, const Twin<S>&... sensors) {
     std::array<double, N> information;
-    for (int i = 0; i < N; ++i)
-      information[static_cast<std::size_t>(i)] = 1 / (deviations[i] * deviations[i]);
+    for (int i = 0; i < N; ++i) information[i] = 1 / (deviations[i] * deviations[i]);
     const auto is_wrong = [&](const T& other) {
       const auto error = edge.error(truth(pose), other, result_.truth.estimate(sensors.true_vertex)...);
       return detail::as_vector<N>(error).cwiseQuotient(deviations).norm() > kOutlierDistance;
@@ -212,11 +208,11 @@ class Simulator {
     const int mistaken = mistake([&] {
       if (landmarks.seen_.empty()) return kNone;
       const auto count = static_cast<int>(landmarks.seen_.size());
-      const int other = landmarks.seen_[static_cast<std::size_t>(outlier_random_.below(count))];
+      const int other = landmarks.seen_[outlier_random_.below(count)];
       return is_wrong(landmarks.truth(other)) ? other : kNone;
     });
     const int observed = mistaken == kNone ? index : mistaken;
-    auto& landmark = landmarks.all_[static_cast<std::size_t>(observed)];
+    auto& landmark = landmarks.all_[observed];
     if (!landmark.twin) {
       landmark.twin = add_vertex(landmark.truth, guess);
       landmarks.seen_.push_back(observed);

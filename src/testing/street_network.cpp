@@ -37,13 +37,13 @@ class Components {
   /// Joins two sets. Returns whether they were separate.
   bool join(int a, int b) {
     const int root_a = root(a), root_b = root(b);
-    parents_[static_cast<std::size_t>(root_a)] = root_b;
+    parents_[root_a] = root_b;
     return root_a != root_b;
   }
 
  private:
   int root(int crossing) {
-    int& parent = parents_[static_cast<std::size_t>(crossing)];
+    int& parent = parents_[crossing];
     return parent == crossing ? crossing : parent = root(parent);
   }
   std::vector<int> parents_;
@@ -52,7 +52,7 @@ class Components {
 template <class T>
 std::vector<T> shuffled(std::vector<T> items, RandomNumbers& random) {
   for (std::size_t left = items.size(); left > 1; --left) {
-    std::swap(items[left - 1], items[static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
+    std::swap(items[left - 1], items[random.below(static_cast<int>(left))]);
   }
   return items;
 }
@@ -94,7 +94,7 @@ void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   const auto lay = [&](const Street& street) {
     streets_.push_back(street);
     streets_.back().steps = static_cast<int>(std::ceil(length(street)));
-    for (int end : {street.from, street.to}) ++degree[static_cast<std::size_t>(end)];
+    for (int end : {street.from, street.to}) ++degree[end];
   };
   const auto plan = [&](int from, int to, bool avenue) {
     const bool is_spare = random.uniform() < kMissing && !avenue;
@@ -115,8 +115,7 @@ void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   }
   for (const Street& street : spare) {
     const bool is_bridge = components.join(street.from, street.to);
-    const int least =
-        std::min(degree[static_cast<std::size_t>(street.from)], degree[static_cast<std::size_t>(street.to)]);
+    const int least = std::min(degree[street.from], degree[street.to]);
     if (is_bridge || least < 2) lay(street);
   }
 }
@@ -128,14 +127,13 @@ void StreetNetwork::add_passes(int steps, RandomNumbers& random) {
   std::int64_t missing = steps;
   for (const Street& street : streets_) missing -= std::int64_t{street.passes} * street.steps;
   const auto add = [&](int index, int passes) {
-    Street& street = streets_[static_cast<std::size_t>(index)];
+    Street& street = streets_[index];
     street.passes += passes;
     missing -= std::int64_t{passes} * street.steps;
   };
   for (const std::array<int, 4>& block : shuffled(blocks(), random)) {
-    const bool is_fresh = std::all_of(block.begin(), block.end(), [&](int street) {
-      return streets_[static_cast<std::size_t>(street)].passes == 2;
-    });
+    const bool is_fresh =
+        std::all_of(block.begin(), block.end(), [&](int street) { return streets_[street].passes == 2; });
     if (missing <= 0) return;
     if (!is_fresh) continue;
     for (int street : block) add(street, 1);
@@ -144,7 +142,7 @@ void StreetNetwork::add_passes(int steps, RandomNumbers& random) {
   std::iota(order.begin(), order.end(), 0);
   for (int street : shuffled(std::move(order), random)) {
     if (missing <= 0) return;
-    if (streets_[static_cast<std::size_t>(street)].passes == 2) add(street, 2);
+    if (streets_[street].passes == 2) add(street, 2);
   }
 }
 
@@ -171,32 +169,31 @@ std::vector<Leg> StreetNetwork::route(RandomNumbers& random) const {
   std::vector<int> left;  // the number of passes of each street that are still to be driven
   for (std::size_t i = 0; i < streets_.size(); ++i) {
     for (int end : {streets_[i].from, streets_[i].to}) {
-      streets_at[static_cast<std::size_t>(end)].push_back(static_cast<int>(i));
+      streets_at[end].push_back(static_cast<int>(i));
     }
     left.push_back(streets_[i].passes);
   }
   // Chooses a random street with a pass left. Turns back only if there is no other such street.
   const auto choose = [&](int at, int arrived_by) {
     std::vector<int> choices;
-    for (int street : streets_at[static_cast<std::size_t>(at)]) {
-      if (left[static_cast<std::size_t>(street)] > 0 && street != arrived_by) choices.push_back(street);
+    for (int street : streets_at[at]) {
+      if (left[street] > 0 && street != arrived_by) choices.push_back(street);
     }
-    if (!choices.empty())
-      return choices[static_cast<std::size_t>(random.below(static_cast<int>(choices.size())))];
-    return arrived_by != kNone && left[static_cast<std::size_t>(arrived_by)] > 0 ? arrived_by : kNone;
+    if (!choices.empty()) return choices[random.below(static_cast<int>(choices.size()))];
+    return arrived_by != kNone && left[arrived_by] > 0 ? arrived_by : kNone;
   };
   std::vector<Leg> tour, open{{kNone, true}};
   const int start = crossing(1, 1);
   const auto end_of = [&](const Leg& leg) {
     if (leg.street == kNone) return start;
-    const Street& street = streets_[static_cast<std::size_t>(leg.street)];
+    const Street& street = streets_[leg.street];
     return leg.forward ? street.to : street.from;
   };
   while (!open.empty()) {
     const int here = end_of(open.back()), next = choose(here, open.back().street);
     if (next != kNone) {
-      --left[static_cast<std::size_t>(next)];
-      open.push_back({next, streets_[static_cast<std::size_t>(next)].from == here});
+      --left[next];
+      open.push_back({next, streets_[next].from == here});
     } else {
       if (open.back().street != kNone) tour.push_back(open.back());
       open.pop_back();
@@ -207,22 +204,19 @@ std::vector<Leg> StreetNetwork::route(RandomNumbers& random) const {
 }
 
 double StreetNetwork::length(const Street& street) const {
-  return (crossings_[static_cast<std::size_t>(street.to)] - crossings_[static_cast<std::size_t>(street.from)])
-      .norm();
+  return (crossings_[street.to] - crossings_[street.from]).norm();
 }
 
 /// The direction of the middle line, which is a straight line plus half a sine wave of height `bow` across
 /// it.
 Vector2 StreetNetwork::tangent(const Street& street, double position) const {
-  const Vector2 along =
-      crossings_[static_cast<std::size_t>(street.to)] - crossings_[static_cast<std::size_t>(street.from)];
+  const Vector2 along = crossings_[street.to] - crossings_[street.from];
   const Vector2 across = Vector2(-along[1], along[0]) / along.norm();
   return along + street.bow * kPi * std::cos(kPi * position / street.steps) * across;
 }
 
 Vector2 StreetNetwork::beside(const Street& street, double position, double left) const {
-  const Vector2 from = crossings_[static_cast<std::size_t>(street.from)],
-                along = crossings_[static_cast<std::size_t>(street.to)] - from,
+  const Vector2 from = crossings_[street.from], along = crossings_[street.to] - from,
                 across = Vector2(-along[1], along[0]) / along.norm(), forward = tangent(street, position);
   const double part = position / street.steps;
   return from + part * along + street.bow * std::sin(kPi * part) * across +
@@ -230,7 +224,7 @@ Vector2 StreetNetwork::beside(const Street& street, double position, double left
 }
 
 SE2 StreetNetwork::pose(const Leg& leg, int position) const {
-  const Street& street = streets_[static_cast<std::size_t>(leg.street)];
+  const Street& street = streets_[leg.street];
   const double part = std::min({1.0, static_cast<double>(position) / kLaneChange,
                                 static_cast<double>(street.steps - position) / kLaneChange});
   const double in_lane = part * part * (3 - 2 * part);

@@ -35,7 +35,7 @@ class StreetNetwork {
 
   const std::vector<Vector2>& crossings() const { return crossings_; }
   const std::vector<Street>& streets() const { return streets_; }
-  const Street& street(const Leg& leg) const { return streets_[static_cast<std::size_t>(leg.street)]; }
+  const Street& street(const Leg& leg) const { return streets_[leg.street]; }
 
   /// A closed tour (Hierholzer 1873) in which each street appears as often as it has passes. The robot rarely
   /// turns around and drives back.

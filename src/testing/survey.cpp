@@ -50,7 +50,7 @@ double Survey::mean_length(int tracks, RandomNumbers random) const {
 
 bool Survey::try_to_find(int finder, RandomNumbers& random, Track& track) const {
   constexpr double kHalfWidth = 0.9, kHalfHeight = 0.65;  // about the image, at distance 1
-  const SE3& pose = scene_.poses()[static_cast<std::size_t>(finder)];
+  const SE3& pose = scene_.poses()[finder];
   const double x = random.uniform(-kHalfWidth, kHalfWidth), y = random.uniform(-kHalfHeight, kHalfHeight);
   const Vector3 direction = (pose.so3() * Vector3(x, y, -1)).normalized();
   const std::optional<SurfacePoint> point = scene_.hit(pose.translation(), direction, random);
@@ -72,7 +72,7 @@ bool Survey::try_to_find(int finder, RandomNumbers& random, Track& track) const 
 bool Survey::has_parallax(const SurfacePoint& point, const Track& track) const {
   static const double max_cosine = std::cos(kMinParallax);
   return std::any_of(track.observations.begin(), track.observations.end(), [&](const Observation& seen) {
-    const SE3& pose = scene_.poses()[static_cast<std::size_t>(seen.camera)];
+    const SE3& pose = scene_.poses()[seen.camera];
     const Vector3 view = point.position - pose.translation();
     return view.dot(point.view) <= max_cosine * view.norm();
   });
@@ -81,7 +81,7 @@ bool Survey::has_parallax(const SurfacePoint& point, const Track& track) const {
 /// The pixel at which a camera recognizes a point, if it does.
 std::optional<Vector2> Survey::pixel_of(int camera, const SurfacePoint& point) const {
   constexpr double kMinDepth = 2;
-  const SE3& pose = scene_.poses()[static_cast<std::size_t>(camera)];
+  const SE3& pose = scene_.poses()[camera];
   const Vector3 center = pose.translation(), view = point.position - center;
   const double distance = view.norm();
   if (distance > point.max_distance || view.dot(point.view) < point.min_cosine * distance)

@@ -50,9 +50,7 @@ Simulation simulate_grid(const SimulationOptions& options) {
   const int side = std::max(2, static_cast<int>(std::lround(std::cbrt(static_cast<double>(options.poses)))));
   Simulator<SE3> simulator(options, {0.03, 0.02});
   std::vector<int> pose_at(static_cast<std::size_t>(side * side * side), -1);
-  const auto at = [&](int x, int y, int z) -> int& {
-    return pose_at[static_cast<std::size_t>((z * side + y) * side + x)];
-  };
+  const auto at = [&](int x, int y, int z) -> int& { return pose_at[(z * side + y) * side + x]; };
   for (int k = 0; k < side * side * side; ++k) {  // there and back, line by line and floor by floor
     const int line = k / side, z = k / (side * side);
     const int y = z % 2 == 0 ? line % side : side - 1 - line % side;

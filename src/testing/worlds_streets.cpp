@@ -53,7 +53,7 @@ class PlaceMemory {
   };
 
   void arrive_at_crossing(int crossing) {
-    int& last = visited_[static_cast<std::size_t>(crossing)];
+    int& last = visited_[crossing];
     if (last != kNever) simulator_.recognize(last, simulator_.size() - 1);
     last = simulator_.size() - 1;
   }
@@ -63,7 +63,7 @@ class PlaceMemory {
   void arrive_in_street(const Leg& leg, int position) {
     constexpr int kSightings[] = {-2, 0, 2};
     const int steps = network_.street(leg).steps, pose = simulator_.size() - 1;
-    std::vector<Pass>& passes = passes_[static_cast<std::size_t>(leg.street)];
+    std::vector<Pass>& passes = passes_[leg.street];
     if (position == (leg.forward ? 1 : steps - 1)) passes.push_back({pose - 1, leg.forward});
     for (std::size_t k = 0; k + 1 < passes.size(); ++k) {
       for (int sighting : kSightings) {

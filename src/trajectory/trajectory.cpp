@@ -74,9 +74,9 @@ Trajectory trajectory_of(const GraphFile& file, const std::string& name) {
 
 void set_pose(TrajectoryPose& pose, const detail::Frame& frame) {
   for (int row = 0; row < frame.dimension; ++row) {
-    pose.position[row] = frame.translation[static_cast<std::size_t>(row)];
+    pose.position[row] = frame.translation[row];
     for (int column = 0; column < frame.dimension; ++column)
-      pose.rotation(row, column) = frame.rotation[static_cast<std::size_t>(row * frame.dimension + column)];
+      pose.rotation(row, column) = frame.rotation[row * frame.dimension + column];
   }
   // Quaternions in files have rounding errors, so the rotation must be normalized.
   pose.rotation = detail::rotation_matrix(detail::normalized(detail::quaternion_of(pose.rotation)));

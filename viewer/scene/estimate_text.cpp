@@ -37,7 +37,7 @@ template <class Camera>
 std::string camera_lines(const Camera& camera) {
   std::string lines;
   for (int i = 0; i < Camera::kSize; ++i)
-    lines += line(Camera::Model::kParameters[static_cast<std::size_t>(i)], {camera.parameters[i]});
+    lines += line(Camera::Model::kParameters[i], {camera.parameters[i]});
   return lines;
 }
 

@@ -72,7 +72,7 @@ std::string data_text(const GraphFacts& facts) {
 std::string extent_text(const GraphFacts& facts) {
   std::string text;
   for (int axis = 0; axis < facts.dimension; ++axis)
-    text += fmt::format("{}{:.4g}", axis == 0 ? "" : " × ", facts.extent[static_cast<std::size_t>(axis)]);
+    text += fmt::format("{}{:.4g}", axis == 0 ? "" : " × ", facts.extent[axis]);
   return text + " m";
 }
 

@@ -76,7 +76,7 @@ class PriorsParser {
       *row.gravity /= length;
     }
     constexpr std::array kSigmas{"sigma_x", "sigma_y", "sigma_z"};
-    for (int i = 0; i < 3; ++i) row.sigma[i] = sigma(kSigmas[static_cast<std::size_t>(i)], sigma("sigma", 1));
+    for (int i = 0; i < 3; ++i) row.sigma[i] = sigma(kSigmas[i], sigma("sigma", 1));
     row.gravity_sigma = sigma("gravity_sigma", row.gravity_sigma);
     rows_.push_back(std::move(row));
   }

@@ -94,8 +94,7 @@ class DataPainter {
     std::array<double, 3> in_world = place_->frame.translation;
     for (int row = 0; row < dimension; ++row) {
       for (int column = 0; column < dimension; ++column)
-        in_world[static_cast<std::size_t>(row)] +=
-            rotation_(row, column) * point[static_cast<std::size_t>(column)];
+        in_world[row] += rotation_(row, column) * point[column];
     }
     return project(in_world, dimension, view_);
   }

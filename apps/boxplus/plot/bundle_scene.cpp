@@ -25,8 +25,7 @@ std::array<double, 2> most_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   constexpr double kTail = 0.05, kRoom = 1.0 / 3;
   const auto last = static_cast<double>(values.size() - 1);
-  const double low = values[static_cast<std::size_t>(kTail * last)],
-               high = values[static_cast<std::size_t>(std::ceil((1 - kTail) * last))],
+  const double low = values[kTail * last], high = values[std::ceil((1 - kTail) * last)],
                room = kRoom * (high - low);
   return {std::max(values.front(), low - room), std::min(values.back(), high + room)};
 }

@@ -21,7 +21,7 @@ Eigen::MatrixXd to_picture(int dimension, const View& view) {
   Eigen::MatrixXd plane(2, dimension);
   for (int axis = 0; axis < dimension; ++axis) {
     std::array<double, 3> unit{};
-    unit[static_cast<std::size_t>(axis)] = 1;
+    unit[axis] = 1;
     const Spot spot = project(unit, dimension, view);
     plane.col(axis) << spot[0], spot[1];
   }

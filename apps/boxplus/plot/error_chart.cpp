@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostBoxes = 120;
 
 double quantile(const std::vector<double>& sorted, double part) {
-  return sorted[static_cast<std::size_t>(std::lround(part * static_cast<double>(sorted.size() - 1)))];
+  return sorted[std::lround(part * static_cast<double>(sorted.size() - 1))];
 }
 
 /// The finite errors of each image, by id.

@@ -179,8 +179,8 @@ class ScenePainter {
     for (const CameraMark& camera : scene_.cameras) {
       Path path;
       for (const auto& [from, to] : kPyramidLines) {
-        path.move_to(at(camera.corners[static_cast<std::size_t>(from)]));
-        path.line_to(at(camera.corners[static_cast<std::size_t>(to)]));
+        path.move_to(at(camera.corners[from]));
+        path.line_to(at(camera.corners[to]));
       }
       canvas_.stroke(path, {trajectory_color(camera.time), 1.2 * unit_, 0.9});
     }

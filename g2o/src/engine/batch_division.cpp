@@ -20,7 +20,7 @@ std::optional<std::uint32_t> TakenEdges::batch_of(const OptimizableGraph::Edge& 
   batch.kind = &kind;
   batch.mask = mask;
   batch.adder = std::move(*adder);
-  for (const int n : batch.adder.positions) batch.columns += kind.dims[static_cast<std::size_t>(n)];
+  for (const int n : batch.adder.positions) batch.columns += kind.dims[n];
   batches.push_back(std::move(batch));
   return static_cast<std::uint32_t>(batches.size() - 1);
 }
@@ -35,7 +35,7 @@ bool TakenEdges::take(OptimizableGraph::Edge& edge, const EdgeKind& kind) {
   items.push_back({&edge, *batch, static_cast<std::uint32_t>(indices.size())});
   for (const int n : batches[*batch].adder.positions) {
     const auto* v = static_cast<const OptimizableGraph::Vertex*>(edge.vertex(static_cast<std::size_t>(n)));
-    is_marginalized[static_cast<std::size_t>(v->hessianIndex())] = v->marginalized() ? 1 : 0;
+    is_marginalized[v->hessianIndex()] = v->marginalized() ? 1 : 0;
     indices.push_back(v->hessianIndex());
   }
   return true;
@@ -45,10 +45,10 @@ BatchDivision::BatchDivision(const TakenEdges& taken)
     : taken_(taken), number_(taken.is_marginalized.size(), -1) {
   int seen = 0;
   for (const int h : taken.indices) {
-    if (number(h) < 0) number_[static_cast<std::size_t>(h)] = seen++;
+    if (number(h) < 0) number_[h] = seen++;
   }
   std::vector<std::int64_t> owned(static_cast<std::size_t>(seen));
-  for (const TakenEdges::Item& item : taken.items) ++owned[static_cast<std::size_t>(number(owner(item)))];
+  for (const TakenEdges::Item& item : taken.items) ++owned[number(owner(item))];
   const auto count = static_cast<std::int64_t>(taken.items.size());
   std::int64_t before = 0;
   for (const std::int64_t here : owned) {
@@ -60,8 +60,8 @@ BatchDivision::BatchDivision(const TakenEdges& taken)
 /// The vertex whose part has the edge: its marginalized vertex, or its vertex with the largest number.
 int BatchDivision::owner(const TakenEdges::Item& item) const {
   const auto is_before = [&](int a, int b) {
-    const char marginalized_a = taken_.is_marginalized[static_cast<std::size_t>(a)];
-    const char marginalized_b = taken_.is_marginalized[static_cast<std::size_t>(b)];
+    const char marginalized_a = taken_.is_marginalized[a];
+    const char marginalized_b = taken_.is_marginalized[b];
     return marginalized_a != marginalized_b ? marginalized_a < marginalized_b : number(a) < number(b);
   };
   return *std::max_element(taken_.begin(item), taken_.end(item), is_before);

@@ -47,11 +47,11 @@ class BatchDivision {
   /// There must be at least one edge.
   explicit BatchDivision(const TakenEdges& taken);
 
-  int part_of_vertex(int h) const { return part_[static_cast<std::size_t>(number(h))]; }
+  int part_of_vertex(int h) const { return part_[number(h)]; }
   int part_of(const TakenEdges::Item& item) const { return part_of_vertex(owner(item)); }
 
  private:
-  int number(int h) const { return number_[static_cast<std::size_t>(h)]; }
+  int number(int h) const { return number_[h]; }
   int owner(const TakenEdges::Item& item) const;
 
   const TakenEdges& taken_;

@@ -49,12 +49,11 @@ void EdgeTile::place_jacobians(const EdgeBatch& batch) {
   stride.fill(0);
   int column = 0;
   for (const int n : batch.adder.positions) {
-    jacobian_of[static_cast<std::size_t>(n)] = jacobian.data() + column * rows;
-    stride[static_cast<std::size_t>(n)] = batch.columns * rows;
-    column += batch.kind->dims[static_cast<std::size_t>(n)];
+    jacobian_of[n] = jacobian.data() + column * rows;
+    stride[n] = batch.columns * rows;
+    column += batch.kind->dims[n];
   }
-  for (int k = 0; k < kEdges; ++k)
-    omegas[static_cast<std::size_t>(k)] = omega.data() + k * rows * (rows + 1) / 2;
+  for (int k = 0; k < kEdges; ++k) omegas[k] = omega.data() + k * rows * (rows + 1) / 2;
 }
 
 void BatchPart::make_room() {

@@ -16,12 +16,12 @@ class SumsByVertex {
   explicit SumsByVertex(const std::vector<BatchPart::Sum>& sums) {
     for (const BatchPart::Sum& sum : sums) {
       by_index_.resize(std::max(by_index_.size(), static_cast<std::size_t>(sum.vertex) + 1), nullptr);
-      by_index_[static_cast<std::size_t>(sum.vertex)] = &sum;
+      by_index_[sum.vertex] = &sum;
     }
   }
   /// Returns nullptr if edges add to the vertex directly.
   const BatchPart::Sum* find(int h) const {
-    return static_cast<std::size_t>(h) < by_index_.size() ? by_index_[static_cast<std::size_t>(h)] : nullptr;
+    return static_cast<std::size_t>(h) < by_index_.size() ? by_index_[h] : nullptr;
   }
 
  private:

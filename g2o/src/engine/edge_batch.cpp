@@ -19,7 +19,7 @@ std::optional<EdgeAdder> EdgeAdder::find(const EdgeKind& kind, std::uint32_t mas
 
 bool EdgeAdder::choose(const EdgeKind& kind) {
   std::vector<int> dims;
-  for (const int n : positions) dims.push_back(kind.dims[static_cast<std::size_t>(n)]);
+  for (const int n : positions) dims.push_back(kind.dims[n]);
   const boxplus::dense::KernelTable& kernels = boxplus::dense::kernels();
   if (dims.size() == 1) {
     unary = kernels.add_unary_edges_for(kind.rows, dims[0]);

@@ -50,7 +50,7 @@ void EdgeBatches::take(const Edges& edges, int vertices, Edges& others) {
   if (taken.items.size() >= kFewestEdgesForThreads) division.emplace(taken);
   for (int p = 0; p < (division ? BatchDivision::kParts : 1); ++p) {
     if (static_cast<std::size_t>(p) == tiles_.size()) tiles_.push_back(std::make_unique<EdgeTile>());
-    parts_.push_back(std::make_unique<BatchPart>(*tiles_[static_cast<std::size_t>(p)]));
+    parts_.push_back(std::make_unique<BatchPart>(*tiles_[p]));
     parts_.back()->batches = taken.batches;
   }
   for (const TakenEdges::Item& item : taken.items) {
@@ -67,14 +67,13 @@ void EdgeBatches::take(const Edges& edges, int vertices, Edges& others) {
 void EdgeBatches::make_sums(const BatchDivision& division, int vertices) {
   std::vector<int> last_part(static_cast<std::size_t>(vertices), -1);
   for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
-    BatchPart& part = *parts_[static_cast<std::size_t>(p)];
+    BatchPart& part = *parts_[p];
     for (const EdgeBatch& batch : part.batches) {
       const std::size_t arity = batch.adder.positions.size();
       for (std::size_t k = 0; k < batch.vertices.size(); ++k) {
         const int h = batch.vertices[k];
-        if (std::exchange(last_part[static_cast<std::size_t>(h)], p) == p || division.part_of_vertex(h) == p)
-          continue;
-        const int dim = batch.kind->dims[static_cast<std::size_t>(batch.adder.positions[k % arity])];
+        if (std::exchange(last_part[h], p) == p || division.part_of_vertex(h) == p) continue;
+        const int dim = batch.kind->dims[batch.adder.positions[k % arity]];
         part.sums.push_back({h, dim, extra_values_, extra_scalars_, 0, 0});
         extra_values_ += static_cast<std::uint32_t>(dim * dim);
         extra_scalars_ += static_cast<std::uint32_t>(dim);
@@ -111,9 +110,7 @@ BatchPass EdgeBatches::for_all_parts(boxplus::detail::FunctionRef<void(BatchPart
     return total;
   }
   std::array<BatchPass, BatchDivision::kParts> passes;
-  for_each_part(static_cast<int>(parts_.size()), [&](int p) {
-    task(*parts_[static_cast<std::size_t>(p)], passes[static_cast<std::size_t>(p)]);
-  });
+  for_each_part(static_cast<int>(parts_.size()), [&](int p) { task(*parts_[p], passes[p]); });
   for (const BatchPass& pass : passes) total.append(pass);
   return total;
 }

@@ -22,7 +22,7 @@ inline Matrix7 left_jacobian_of_log(const boxplus::Sim3& x) {
   const boxplus::Vector<S, 7> log = (boxplus::BasicSim3<S>::exp(delta) * x.cast<S>()).log();
   Matrix7 J;
   for (int i = 0; i < 7; ++i) {
-    for (int k = 0; k < 7; ++k) J(i, k) = log[i].derivative[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 7; ++k) J(i, k) = log[i].derivative[k];
   }
   return J;
 }

@@ -96,7 +96,7 @@ KeptVertices::KeptVertices(Communicator& communicator, const Graph& graph, const
   const std::vector<std::uint64_t> words = communicator.gather(describe(graph, plan), &counts);
   const std::uint64_t* next = words.data();
   for (int rank = 0; rank < communicator.size(); ++rank) {
-    for (int k = 0; k < counts[static_cast<std::size_t>(rank)]; k += Record::kWords, next += Record::kWords) {
+    for (int k = 0; k < counts[rank]; k += Record::kWords, next += Record::kWords) {
       const Record record{next[0], next[1], next[2], next[3]};
       Known& vertex = known.try_emplace(record.key(), Known{record, rank}).first->second;
       check_equal(vertex.record, vertex.rank, record, rank);

@@ -31,7 +31,7 @@ int read_integers(std::string_view line, std::span<double> values, bool may_go_o
     if (count == static_cast<int>(values.size())) return may_go_on ? count : -1;
     const Decimal number = read_number_field(at, end);
     if (!number.end || !number.is_integer) return -1;
-    values[static_cast<std::size_t>(count)] = number.value;
+    values[count] = number.value;
     at = number.end;
   }
 }

@@ -83,7 +83,7 @@ class JsonWriter {
     std::int64_t counted = 0, gone = 0;  // the edges that have been counted, and those of them that are gone
     for (KeptLine& line : kept_) {
       if (line.place != KeptLine::Place::kAfterEdge) continue;
-      for (; counted <= line.after; ++counted) gone += edges_[static_cast<std::size_t>(counted)] == EdgeRef{};
+      for (; counted <= line.after; ++counted) gone += edges_[counted] == EdgeRef{};
       line.after -= gone;
     }
   }

@@ -91,7 +91,7 @@ void PathInverse::write_blocks() {
   const Eigen::MatrixXd inverse = transposed * transposed.transpose();
   const auto column_of = [&](std::uint32_t block) {
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), symbolic_.position[block]);
-    return first_column_[static_cast<std::size_t>(found - blocks_.begin())];
+    return first_column_[found - blocks_.begin()];
   };
   for (const InverseRequest& request : requests_) {
     const std::uint32_t rows = symbolic_.dim(symbolic_.position[request.block.row]),

@@ -149,7 +149,7 @@ class Substitution {
   void for_each_share(F&& work_on) {
     const auto& shares = symbolic_.schedule.threads;
     detail::parallel_tasks(static_cast<int>(shares.size()), [&](int thread) {
-      for (const auto& subtree : shares[static_cast<std::size_t>(thread)]) {
+      for (const auto& subtree : shares[thread]) {
         if (!work_on(subtree)) return void(stopped_ = true);
       }
     });

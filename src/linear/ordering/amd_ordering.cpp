@@ -74,7 +74,7 @@ std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure, std::sp
   }
   std::vector<std::uint32_t> order;
   order.reserve(structure.blocks());
-  for (const int k : permutation) order.push_back(free_blocks[static_cast<std::size_t>(k)]);
+  for (const int k : permutation) order.push_back(free_blocks[k]);
   order.insert(order.end(), last.begin(), last.end());
   return order;
 }

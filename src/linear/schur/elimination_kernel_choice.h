@@ -17,16 +17,13 @@ class EliminationKernelChoice {
     for (int rows = 0; rows <= kMostRows; ++rows) {
       for (int dim = 0; dim <= kMostDim; ++dim) {
         const dense::EliminationKernels* kernels = dense::kernels().elimination_kernels_for(rows, dim);
-        choice_[static_cast<std::size_t>(rows)][static_cast<std::size_t>(dim)] =
-            kernels != nullptr ? kernels : &kEliminationReference;
+        choice_[rows][dim] = kernels != nullptr ? kernels : &kEliminationReference;
       }
     }
   }
 
   const dense::EliminationKernels& operator()(int rows, int dim) const {
-    return rows <= kMostRows && dim <= kMostDim
-               ? *choice_[static_cast<std::size_t>(rows)][static_cast<std::size_t>(dim)]
-               : kEliminationReference;
+    return rows <= kMostRows && dim <= kMostDim ? *choice_[rows][dim] : kEliminationReference;
   }
 
  private:

@@ -36,8 +36,7 @@ void solve_small(const double* l, int dim, double* x) {
 void Schur::for_each_slice(detail::FunctionRef<void(Slice&)> f) {
   const int threads = std::clamp(threads_, 1, slices());
   detail::parallel_tasks(threads, [&](int thread) {
-    for (int s = slices() * thread / threads; s < slices() * (thread + 1) / threads; ++s)
-      f(slices_[static_cast<std::size_t>(s)]);
+    for (int s = slices() * thread / threads; s < slices() * (thread + 1) / threads; ++s) f(slices_[s]);
   });
 }
 
@@ -67,7 +66,7 @@ void Schur::clear(Slice& slice) {
 
 void Schur::eliminate_columns(int index, std::uint32_t first, std::uint32_t last, const double* values,
                               const StopToken& stop) {
-  Slice& slice = slices_[static_cast<std::size_t>(index)];
+  Slice& slice = slices_[index];
   if (first == slice.first) clear(slice);
   PacedStop pace(stop);
   for (std::uint32_t e = first; e < last && slice.result.status == LinearStatus::kOk; ++e) {

@@ -43,7 +43,7 @@ class ReducedInverse {
     const Schur::Place at_i = schur_.place_of(i), at_j = schur_.place_of(j);
     const BlockCoordinate lower{std::max(at_i.block, at_j.block), std::min(at_i.block, at_j.block)};
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), lower, precedes);
-    const double* values = values_.data() + start_[static_cast<std::size_t>(found - blocks_.begin())];
+    const double* values = values_.data() + start_[found - blocks_.begin()];
     const Eigen::Map<const MatrixXd> stored(values, structure_.dim(lower.row), structure_.dim(lower.column));
     if (at_i.block >= at_j.block) {
       out = stored.block(at_i.first, at_j.first, out.rows(), out.cols());

@@ -66,9 +66,8 @@ Directions range_in(const detail::VertexPool& pool, BundlePart part) {
 /// Holds or frees a range of directions. All other directions stay as they are.
 void hold(Graph& graph, VertexRef vertex, const Directions& range, bool held) {
   std::vector<bool> is_held(static_cast<std::size_t>(graph.tangent_dim(vertex)), graph.is_fixed(vertex));
-  for (const int direction : graph.fixed_directions(vertex))
-    is_held[static_cast<std::size_t>(direction)] = true;
-  for (int k = range.begin; k < range.end; ++k) is_held[static_cast<std::size_t>(k)] = held;
+  for (const int direction : graph.fixed_directions(vertex)) is_held[direction] = true;
+  for (int k = range.begin; k < range.end; ++k) is_held[k] = held;
   std::vector<int> directions;
   for (std::size_t k = 0; k < is_held.size(); ++k) {
     if (is_held[k]) directions.push_back(static_cast<int>(k));

@@ -23,8 +23,7 @@ std::string implausible_intrinsics(const double* parameters, std::span<const std
                                    int focal_lengths) {
   for (int i = 0; i < focal_lengths; ++i) {
     if (parameters[i] <= 0)
-      return fmt::format("{} is {:.4g}, but focal lengths are positive", names[static_cast<std::size_t>(i)],
-                         parameters[i]);
+      return fmt::format("{} is {:.4g}, but focal lengths are positive", names[i], parameters[i]);
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double most = largest_coefficient(names[i]);

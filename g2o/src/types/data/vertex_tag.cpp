@@ -26,8 +26,8 @@ bool VertexTag::write(std::ostream& os) const {
   tag.name = _name;
   const Vector3 pose = _odom2dPose.toVector();
   for (int i = 0; i < 3; ++i) {
-    tag.position[static_cast<std::size_t>(i)] = adapters::number_of(_position[i], _positionOfFile[i]);
-    tag.robot_pose[static_cast<std::size_t>(i)] = pose[i];
+    tag.position[i] = adapters::number_of(_position[i], _positionOfFile[i]);
+    tag.robot_pose[i] = pose[i];
   }
   tag.stamp = adapters::stamp_of(*this);
   return adapters::write_data(os, tag);

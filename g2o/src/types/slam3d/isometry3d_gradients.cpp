@@ -23,7 +23,7 @@ void compute_dq_dR(Eigen::Matrix<double, 3, 9, Eigen::ColMajor>& dq_dR, const do
   for (int i = 0; i < 9; ++i) R(i % 3, i / 3) = S::variable(entries[i], i);
   const boxplus::Vector<S, 3> q = boxplus::detail::QuaternionChart::log(boxplus::detail::quaternion_of(R));
   for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 9; ++k) dq_dR(i, k) = q[i].derivative[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 9; ++k) dq_dR(i, k) = q[i].derivative[k];
   }
 }
 
