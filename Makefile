@@ -81,10 +81,10 @@ arm64: setup ## builds for 64-bit ARM, and runs the core suites and the command 
 	@cmake --build --preset arm64 --parallel $(JOBS) --target core_suites boxplus_command
 	@ctest --preset arm64 --parallel $(JOBS)
 
-arm64-light: setup ## the same for the tests of the kernels and the public pose graphs only
+arm64-light: setup ## builds the library for 64-bit ARM, and runs the tests of the kernels and the public pose graphs under qemu
 	@scripts/install_dependencies.sh scripts/debian-packages-arm64.txt
-	@cmake --preset arm64
-	@cmake --build --preset arm64 --parallel $(JOBS) --target kernels_test boxplus_command
+	@cmake --preset arm64-light
+	@cmake --build --preset arm64-light --parallel $(JOBS) --target kernels_test graph_optimum
 	@ctest --preset arm64-light --parallel $(JOBS)
 
 tidy: setup ## builds with clang++ and runs clang-tidy over every source

@@ -81,11 +81,12 @@ if [[ -z $tag ]]; then
   echo "check_abi: there is no tag to compare with"
   exit
 fi
-folder=build/abi old=build/abi/old_sources
+# Both build folders are at the same place in their sources, so that ccache compiles equal sources once.
+old=build/abi/old_sources folder=build/abi/library
 rm -rf "$old"
 mkdir -p "$old"
 git archive "$tag" | tar -x -C "$old"
-build "$old" "$folder/old"
-build . "$folder/new"
-compare "$folder/old/src/libboxplus.so" "$folder/new/src/libboxplus.so" "$(version "$old")" "$(version .)" \
+build "$old" "$old/$folder"
+build . "$folder"
+compare "$old/$folder/src/libboxplus.so" "$folder/src/libboxplus.so" "$(version "$old")" "$(version .)" \
   "$old/include" include
