@@ -264,6 +264,25 @@ TEST(EdgesOfPart, AreAllEdgesInEqualNumbersAndThoseOfAPointTogether) {
   EXPECT_EQ(count, graph.edge_count());
 }
 
+TEST(PartsOfEliminated, AreThoseOfTheEdgesOfTheGraph) {
+  constexpr int kParts = 3;
+  constexpr std::uint32_t kCameras = 30, kPoints = 400;
+  const Graph graph = street();
+  std::vector<std::uint64_t> pairs;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    const std::vector<VertexRef> ends = graph.vertices(edge);
+    pairs.push_back(((static_cast<std::uint64_t>(graph.id(ends[1])) - kCameras) << 32) +
+                    static_cast<std::uint64_t>(graph.id(ends[0])));
+  }
+  const std::vector<std::uint32_t> parts = mpi::parts_of_eliminated(pairs, kPoints, kCameras, kParts);
+  for (int part = 0; part < kParts; ++part) {
+    for (const EdgeRef& edge : mpi::edges_of_part(graph, part, kParts)) {
+      const Id point = graph.id(graph.vertices(edge)[1]) - Id{kCameras};
+      EXPECT_EQ(parts[static_cast<std::size_t>(point)], static_cast<std::uint32_t>(part));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace boxplus
 
