@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -200,28 +201,33 @@ class DistributedRun {
     for (const detail::GaugeVertex& held : held_) file_->graph.unfix(held.vertex);
     fixed_.reset();
     if (!results_) return;
-    const std::vector<std::uint64_t> changes = communicator_.gather_at_first(results_->changes(file_->graph));
+    const std::vector<std::uint64_t> changes = results_->changes(file_->graph);
     results_.reset();
-    if (!communicator_.is_first()) return;
     options_ = {};
     file_.reset();
-    file_ = read_input(arguments_.input, arguments_.reading);
-    apply_changes(changes, file_->graph);
-    set_pixel_sigma(file_->graph, arguments_);
-    if (!arguments_.kernel.empty()) robustify(file_->graph, arguments_);
+    std::optional<ChangedGraph> changed;
+    if (communicator_.is_first()) {
+      file_ = read_input(arguments_.input, arguments_.reading);
+      set_pixel_sigma(file_->graph, arguments_);
+      if (!arguments_.kernel.empty()) robustify(file_->graph, arguments_);
+      changed.emplace(file_->graph);
+    }
+    communicator_.visit_at_first(
+        changes, [&](std::span<const std::uint64_t> of_process) { changed->apply(of_process); });
   }
 
   /// Collects the results, and writes them in the first process.
   std::exception_ptr write() {
     DistributedReport& report = distribution_.report;
     collect();
+    std::exception_ptr refusal;
+    if (communicator_.is_first() && !arguments_.output.empty())
+      refusal = save_result(arguments_, *file_, facts_);
     distribution_.peak_bytes = communicator_.gather(std::vector{memory_of_process().peak});
     distribution_.edges = communicator_.gather(std::vector{std::uint64_t{report.own_edges}});
     distribution_.sent_per_iteration =
         report.all_sent_bytes / static_cast<std::uint64_t>(std::max(1, report.iterations));
     if (!communicator_.is_first()) return nullptr;
-    std::exception_ptr refusal =
-        arguments_.output.empty() ? nullptr : save_result(arguments_, *file_, facts_);
     facts_.total_s = seconds_since(begin_);
     if (!arguments_.json.empty()) write_output(arguments_.json, distributed_json(distribution_, facts_));
     if (!arguments_.quiet) {

@@ -60,23 +60,25 @@ std::vector<std::uint64_t> Results::changes(const Graph& graph) const {
   return words;
 }
 
-void apply_changes(std::span<const std::uint64_t> changes, Graph& graph) {
-  std::vector<std::vector<bool>> done;
-  for (const auto& pool : graph.vertex_pools()) done.emplace_back(pool->slots(), false);
+ChangedGraph::ChangedGraph(Graph& graph) : graph_(graph) {
+  for (const auto& pool : graph.vertex_pools()) has_changed_.emplace_back(pool->slots(), false);
+}
+
+void ChangedGraph::apply(std::span<const std::uint64_t> changes) {
   std::vector<double> delta;
   while (!changes.empty()) {
-    const std::optional<VertexRef> vertex = find(graph, changes[0]);
-    const std::size_t dim = vertex ? static_cast<std::size_t>(graph.tangent_dim(*vertex)) : changes.size();
+    const std::optional<VertexRef> vertex = find(graph_, changes[0]);
+    const std::size_t dim = vertex ? static_cast<std::size_t>(graph_.tangent_dim(*vertex)) : changes.size();
     if (dim >= changes.size())
       throw InvalidArgument("the file has changed during the run, so the result cannot be written");
     delta.resize(dim);
     for (std::size_t entry = 0; entry < dim; ++entry)
       delta[entry] = std::bit_cast<double>(changes[1 + entry]);
     changes = changes.subspan(1 + dim);
-    if (done[vertex->pool][vertex->slot]) continue;
-    done[vertex->pool][vertex->slot] = true;
+    if (has_changed_[vertex->pool][vertex->slot]) continue;
+    has_changed_[vertex->pool][vertex->slot] = true;
     constexpr std::array<std::uint32_t, 1> kFirst{0};
-    graph.vertex_pools()[vertex->pool]->oplus(std::array{vertex->slot}, kFirst, delta.data());
+    graph_.vertex_pools()[vertex->pool]->oplus(std::array{vertex->slot}, kFirst, delta.data());
   }
 }
 

@@ -26,8 +26,18 @@ class Results {
   std::vector<Pool> pools_;
 };
 
-/// Applies the changes of all processes to a graph with the estimates before the run. A vertex of several
-/// processes has the same change in all of them. Throws InvalidArgument if the graph is another one.
-void apply_changes(std::span<const std::uint64_t> changes, Graph& graph);
+/// Applies the changes of all processes to a graph with the estimates before the run.
+class ChangedGraph {
+ public:
+  explicit ChangedGraph(Graph& graph);
+  /// Applies the changes of one process. Leaves out vertices that have changed already, because a vertex of
+  /// several processes has the same change in all of them. Throws InvalidArgument if the graph is another
+  /// one.
+  void apply(std::span<const std::uint64_t> changes);
+
+ private:
+  Graph& graph_;
+  std::vector<std::vector<bool>> has_changed_;  // by vertex pool and slot
+};
 
 }  // namespace boxplus::app

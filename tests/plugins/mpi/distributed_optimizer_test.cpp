@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -241,6 +242,29 @@ TEST(DistributedOptimizer, EndsInAllProcessesIfOneIsStopped) {
   const DistributedReport report = DistributedOptimizer(MPI_COMM_WORLD, part, options).run();
   EXPECT_EQ(report.status, Report::Status::kNotConverged);
   EXPECT_EQ(report.iterations, 0);
+}
+
+TEST(Communicator, ShowsTheFirstProcessTheItemsOfAllInTheOrderOfRanks) {
+  constexpr std::size_t kCount = 2'500'000;  // several messages
+  mpi::Communicator communicator(MPI_COMM_WORLD);
+  const std::vector<std::uint64_t> here(kCount * static_cast<std::size_t>(rank() % 2), 7);
+  std::vector<std::size_t> sizes;
+  communicator.visit_at_first(here, [&](std::span<const std::uint64_t> items) {
+    sizes.push_back(items.size());
+    EXPECT_TRUE(std::ranges::all_of(items, [](std::uint64_t item) { return item == 7; }));
+  });
+  ASSERT_EQ(sizes.size(), rank() == 0 ? static_cast<std::size_t>(processes()) : 0);
+  for (std::size_t k = 0; k < sizes.size(); ++k) EXPECT_EQ(sizes[k], kCount * (k % 2));
+}
+
+TEST(Communicator, FailsInAllProcessesIfTheFirstRefusesAnItem) {
+  mpi::Communicator communicator(MPI_COMM_WORLD);
+  const std::vector<std::uint64_t> here(100'000, 7);  // too many for a message that nobody waits for
+  const auto visit = [&] {
+    communicator.visit_at_first(here, [](std::span<const std::uint64_t>) { throw InvalidArgument("no"); });
+    (void)communicator.sum(1);
+  };
+  EXPECT_THROW(communicator.together(visit), InvalidArgument);
 }
 
 TEST(EdgesOfPart, AreAllEdgesInEqualNumbersAndThoseOfAPointTogether) {
