@@ -145,12 +145,17 @@ class DistributedRun {
     fixed_.emplace(graph, arguments_);
     options_ = arguments_.options;
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
-    const PlanRequest request{
-        .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
+    PlanRequest request{.level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
     const Gauge gauge = find_active_set(graph, request).gauge;
     held_ = gauge.held;
     freedoms_ = gauge.freedoms;
     for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
+    // A sample of the edges leaves these free, which may mislead if something is held. This policy tests all
+    // edges.
+    if (!freedoms_.empty() && !(arguments_.held.empty() && arguments_.fixed.empty())) {
+      request.gauge = GaugePolicy::kDamp;
+      freedoms_ = find_active_set(graph, request).gauge.freedoms;
+    }
     if (communicator_.size() > 1) choose_edges();
     if (communicator_.is_first() && arguments_.verbose) {
       options_.callback = [](const IterationRecord& record) {
