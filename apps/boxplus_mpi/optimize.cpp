@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "boxplus/mpi/distributed_optimizer.h"
 #include "command_line/message.h"
 #include "divide_graph.h"
+#include "file_part.h"
 #include "files/graph_input.h"
 #include "files/interrupt.h"
 #include "files/outputs.h"
@@ -71,6 +73,15 @@ std::string distributed_json(const Distribution& distribution, const RunFacts& f
   return json.dump(2) + "\n";
 }
 
+/// Whether nothing depends on vertices and edges that only other processes have.
+bool can_use_part(const OptimizeArguments& arguments) {
+  const auto holds_place = [](BundlePart part) {
+    return part == BundlePart::kPoses || part == BundlePart::kPoints;
+  };
+  return arguments.fixed.empty() && arguments.moving.empty() &&
+         std::ranges::none_of(arguments.held, holds_place) && arguments.kernel_scope == KernelScope::kAll;
+}
+
 class DistributedRun {
  public:
   DistributedRun(OptimizeArguments arguments, mpi::Communicator& communicator)
@@ -104,37 +115,48 @@ class DistributedRun {
       check_outputs(outputs_of(arguments_));
       refuse_to_replace({"--json", arguments_.json}, {arguments_.input});
     }
-    file_ = read_input(arguments_.input, arguments_.reading);
-    if (communicator_.is_first()) print_notes(*file_, arguments_.input);
-    require_edges(*file_, arguments_.input);
-    if (communicator_.is_first()) require_representable(arguments_.output, *file_);
+    load();
+    if (communicator_.is_first()) {
+      print_notes(*file_, arguments_.input);
+      require_representable(arguments_.output, *file_);
+    }
     facts_.input = input_name(arguments_.input);
-    facts_.edges = file_->graph.edge_count();
     facts_.skipped_lines = file_->skipped;
     facts_.indefinite_edges = file_->indefinite;
     set_pixel_sigma(file_->graph, arguments_);
     facts_.kernel = set_kernels(file_->graph, arguments_);
+    if (part_) facts_.kernel.edges = facts_.kernel.name.empty() ? 0 : facts_.edges;
     prepare();
     facts_.load_s = seconds_since(begin_);
   }
 
-  /// Fixes what is fixed in this run, makes the initial guess, and chooses the edges of this process.
+  /// Reads the part of this process if that is enough, and otherwise the whole file.
+  void load() {
+    if (communicator_.size() > 1 && can_use_part(arguments_))
+      part_ = read_part(arguments_.input, arguments_.reading, communicator_.rank(), communicator_.size());
+    file_ = part_ ? std::move(part_->file) : read_input(arguments_.input, arguments_.reading);
+    facts_.edges = part_ ? part_->all_edges : file_->graph.edge_count();
+    if (!part_) require_edges(*file_, arguments_.input);
+  }
+
+  /// Fixes what is fixed in this run, and chooses the edges of this process.
   void prepare() {
     Graph& graph = file_->graph;
     fixed_.emplace(graph, arguments_);
     options_ = arguments_.options;
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
-    const PlanRequest request{
-        .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
+    PlanRequest request{.level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
     const Gauge gauge = find_active_set(graph, request).gauge;
     held_ = gauge.held;
     freedoms_ = gauge.freedoms;
     for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
-    options_.edges = mpi::edges_of_part(graph, communicator_.rank(), communicator_.size());
-    if (options_.edges.empty())
-      throw InvalidArgument(fmt::format("{}: too few edges for {} processes", input_name(arguments_.input),
-                                        communicator_.size()));
-    if (!arguments_.output.empty()) results_.emplace(graph, options_.edges);
+    // A sample of the edges leaves these free, which may mislead if something is held. This policy tests all
+    // edges.
+    if (!freedoms_.empty() && !(arguments_.held.empty() && arguments_.fixed.empty())) {
+      request.gauge = GaugePolicy::kDamp;
+      freedoms_ = find_active_set(graph, request).gauge.freedoms;
+    }
+    if (communicator_.size() > 1) choose_edges();
     if (communicator_.is_first() && arguments_.verbose) {
       options_.callback = [](const IterationRecord& record) {
         write_to_stderr(fmt::format("iteration {:3}  chi2 {:<13.7g}  step {:<10.3e}  {:.2f} s\n",
@@ -144,8 +166,25 @@ class DistributedRun {
     }
   }
 
-  /// Replaces the estimates by an initial guess, which every process computes for the whole graph.
+  /// Leaves this process its own edges.
+  void choose_edges() {
+    Graph& graph = file_->graph;
+    if (part_) {
+      for (const EdgeRef& edge : part_->others) graph.remove(edge);
+    } else {
+      options_.edges = mpi::edges_of_part(graph, communicator_.rank(), communicator_.size());
+    }
+    const std::vector<EdgeRef>& own = part_ ? file_->edges : options_.edges;
+    if (own.empty())
+      throw InvalidArgument(fmt::format("{}: too few edges for {} processes", input_name(arguments_.input),
+                                        communicator_.size()));
+    if (!arguments_.output.empty()) results_.emplace(graph, own);
+  }
+
+  /// Replaces the estimates by an initial guess, which every process computes for the whole graph. There is
+  /// none for what is read in parts.
   bool guess(Start start) {
+    if (part_) return false;
     Graph& graph = file_->graph;
     const PlanRequest request{
         .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
@@ -162,20 +201,38 @@ class DistributedRun {
     for (const detail::GaugeFreedom& freedom : freedoms_) report.degrees_of_freedom += freedom.directions;
   }
 
+  /// Reads the whole file in the first process, and moves its vertices as all processes have moved theirs.
+  void collect() {
+    for (const detail::GaugeVertex& held : held_) file_->graph.unfix(held.vertex);
+    fixed_.reset();
+    if (!results_) return;
+    const std::vector<std::uint64_t> changes = results_->changes(file_->graph);
+    results_.reset();
+    options_ = {};
+    file_.reset();
+    std::optional<ChangedGraph> changed;
+    if (communicator_.is_first()) {
+      file_ = read_input(arguments_.input, arguments_.reading);
+      set_pixel_sigma(file_->graph, arguments_);
+      if (!arguments_.kernel.empty()) robustify(file_->graph, arguments_);
+      changed.emplace(file_->graph);
+    }
+    communicator_.visit_at_first(
+        changes, [&](std::span<const std::uint64_t> of_process) { changed->apply(of_process); });
+  }
+
   /// Collects the results, and writes them in the first process.
   std::exception_ptr write() {
     DistributedReport& report = distribution_.report;
-    Graph& graph = file_->graph;
+    collect();
+    std::exception_ptr refusal;
+    if (communicator_.is_first() && !arguments_.output.empty())
+      refusal = save_result(arguments_, *file_, facts_);
     distribution_.peak_bytes = communicator_.gather(std::vector{memory_of_process().peak});
     distribution_.edges = communicator_.gather(std::vector{std::uint64_t{report.own_edges}});
     distribution_.sent_per_iteration =
         report.all_sent_bytes / static_cast<std::uint64_t>(std::max(1, report.iterations));
-    if (results_) results_->collect(graph, communicator_);
-    for (const detail::GaugeVertex& held : held_) graph.unfix(held.vertex);
-    fixed_.reset();
     if (!communicator_.is_first()) return nullptr;
-    std::exception_ptr refusal =
-        arguments_.output.empty() ? nullptr : save_result(arguments_, *file_, facts_);
     facts_.total_s = seconds_since(begin_);
     if (!arguments_.json.empty()) write_output(arguments_.json, distributed_json(distribution_, facts_));
     if (!arguments_.quiet) {
@@ -190,6 +247,7 @@ class DistributedRun {
   mpi::Communicator& communicator_;
   const Clock::time_point begin_ = Clock::now();
   Options options_;
+  std::optional<FilePart> part_;  // if this process has not read the whole file; without its file
   std::optional<GraphFile> file_;
   std::optional<FixForRun> fixed_;
   std::vector<detail::GaugeVertex> held_;

@@ -4,73 +4,81 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 #include <utility>
 
+#include "boxplus/base/error.h"
+
 namespace boxplus::app {
+namespace {
+
+/// The id of a vertex or parameter, as one number.
+std::uint64_t key_of(const detail::VertexPool& pool, std::uint32_t slot) {
+  return 2 * static_cast<std::uint64_t>(pool.id(slot)) + (pool.parameter(slot) ? 1 : 0);
+}
+
+std::optional<VertexRef> find(const Graph& graph, std::uint64_t key) {
+  const auto id = static_cast<Id>(key / 2);
+  return key % 2 == 1 ? graph.find_parameter(id) : graph.find_vertex(id);
+}
+
+}  // namespace
 
 Results::Results(const Graph& graph, std::span<const EdgeRef> own_edges) {
-  for (const auto& pool : graph.vertex_pools()) {
-    Pool saved;
-    for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
-      if (pool->alive(slot)) saved.slots.push_back(slot);
-    }
-    saved.own.resize(pool->slots());
-    pool->save(saved.slots, saved.before);
-    saved.same = pool->make_store();
-    saved.same->copy_estimates(saved.slots, *pool);
-    pools_.push_back(std::move(saved));
-  }
+  std::vector<std::vector<bool>> own;
+  for (const auto& pool : graph.vertex_pools()) own.emplace_back(pool->slots(), false);
   for (const EdgeRef& edge : own_edges) {
     const detail::EdgePool& pool = *graph.edge_pools()[edge.pool];
     const std::span<const std::uint32_t> slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i)
-      pools_[pool.vertex_pool(edge.slot, static_cast<int>(i))].own[slots[i]] = 1;
+      own[pool.vertex_pool(edge.slot, static_cast<int>(i))][slots[i]] = true;
+  }
+  for (std::size_t p = 0; p < own.size(); ++p) {
+    Pool saved;
+    for (std::uint32_t slot = 0; slot < own[p].size(); ++slot) {
+      if (own[p][slot]) saved.slots.push_back(slot);
+    }
+    graph.vertex_pools()[p]->save(saved.slots, saved.before);
+    pools_.push_back(std::move(saved));
   }
 }
 
-/// Of each own vertex that has moved: its pool and its number there, and the δ for which before ⊞ δ is its
-/// estimate.
 std::vector<std::uint64_t> Results::changes(const Graph& graph) const {
   std::vector<std::uint64_t> words;
   std::vector<double> delta;
-  for (std::uint32_t p = 0; p < pools_.size(); ++p) {
+  for (std::size_t p = 0; p < pools_.size(); ++p) {
     const detail::VertexPool& pool = *graph.vertex_pools()[p];
-    for (std::uint32_t k = 0; k < pools_[p].slots.size(); ++k) {
+    for (std::size_t k = 0; k < pools_[p].slots.size(); ++k) {
       const std::uint32_t slot = pools_[p].slots[k];
-      if (pools_[p].own[slot] == 0) continue;
       delta.resize(static_cast<std::size_t>(pool.tangent_dim(slot)));
       pool.difference(slot, nullptr, *pools_[p].before, k, delta.data());
       if (std::ranges::all_of(delta, [](double entry) { return entry == 0; })) continue;
-      words.push_back((std::uint64_t{p} << 32) + k);
+      words.push_back(key_of(pool, slot));
       for (const double entry : delta) words.push_back(std::bit_cast<std::uint64_t>(entry));
     }
   }
   return words;
 }
 
-/// Takes back the initial guesses of other vertices.
-void Results::leave_own(Graph& graph) const {
-  for (std::size_t p = 0; p < pools_.size(); ++p) {
-    std::vector<std::uint32_t> others = pools_[p].slots;
-    std::erase_if(others, [&](std::uint32_t slot) { return pools_[p].own[slot] != 0; });
-    graph.vertex_pools()[p]->copy_estimates(others, *pools_[p].same);
-  }
+ChangedGraph::ChangedGraph(Graph& graph) : graph_(graph) {
+  for (const auto& pool : graph.vertex_pools()) has_changed_.emplace_back(pool->slots(), false);
 }
 
-void Results::collect(Graph& graph, mpi::Communicator& communicator) const {
-  const std::vector<std::uint64_t> words =
-      communicator.gather_at_first(communicator.is_first() ? std::vector<std::uint64_t>() : changes(graph));
-  if (communicator.is_first()) leave_own(graph);
-  for (std::size_t i = 0; i < words.size();) {
-    const auto p = static_cast<std::uint32_t>(words[i] >> 32), k = static_cast<std::uint32_t>(words[i]);
-    detail::VertexPool& pool = *graph.vertex_pools()[p];
-    const std::array<std::uint32_t, 1> slot{pools_[p].slots[k]}, offset{0};
-    std::vector<double> delta(static_cast<std::size_t>(pool.tangent_dim(slot[0])));
-    for (std::size_t entry = 0; entry < delta.size(); ++entry)
-      delta[entry] = std::bit_cast<double>(words[i + 1 + entry]);
-    const bool is_own = pools_[p].own[slot[0]] != 0;  // then it has the same estimate in both processes
-    if (!is_own) pool.set_to_sum(slot, *pools_[p].same, offset, delta.data());
-    i += 1 + delta.size();
+void ChangedGraph::apply(std::span<const std::uint64_t> changes) {
+  std::vector<double> delta;
+  while (!changes.empty()) {
+    const std::optional<VertexRef> vertex = find(graph_, changes[0]);
+    const std::size_t dim = vertex ? static_cast<std::size_t>(graph_.tangent_dim(*vertex)) : changes.size();
+    if (dim >= changes.size())
+      throw InvalidArgument("the file has changed during the run, so the result cannot be written");
+    delta.resize(dim);
+    for (std::size_t entry = 0; entry < dim; ++entry)
+      delta[entry] = std::bit_cast<double>(changes[1 + entry]);
+    changes = changes.subspan(1 + dim);
+    if (has_changed_[vertex->pool][vertex->slot]) continue;
+    has_changed_[vertex->pool][vertex->slot] = true;
+    constexpr std::array<std::uint32_t, 1> kFirst{0};
+    graph_.vertex_pools()[vertex->pool]->oplus(std::array{vertex->slot}, kFirst, delta.data());
   }
 }
 

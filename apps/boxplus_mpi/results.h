@@ -8,29 +8,36 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
-#include "communicator.h"
 
 namespace boxplus::app {
 
-/// Every process has the whole graph, and moves the vertices of its own edges.
+/// The vertices of a process's own edges, and their estimates before the run.
 class Results {
  public:
-  /// Keeps the estimates before the run.
   Results(const Graph& graph, std::span<const EdgeRef> own_edges);
-  /// Sets the vertices of the first process's graph that only other processes have moved. Collective.
-  void collect(Graph& graph, mpi::Communicator& communicator) const;
+  /// Of each of these vertices that has moved: its id, and the δ for which before ⊞ δ is its estimate.
+  std::vector<std::uint64_t> changes(const Graph& graph) const;
 
  private:
   struct Pool {
-    std::vector<std::uint32_t> slots;
-    std::vector<std::uint8_t> own;                   // whether an own edge has the vertex, by slot
+    std::vector<std::uint32_t> slots;                // ascending
     std::unique_ptr<detail::SavedEstimates> before;  // of `slots`
-    std::unique_ptr<detail::VertexPool> same;        // the same, as a pool
   };
-  std::vector<std::uint64_t> changes(const Graph& graph) const;
-  void leave_own(Graph& graph) const;
-
   std::vector<Pool> pools_;
+};
+
+/// Applies the changes of all processes to a graph with the estimates before the run.
+class ChangedGraph {
+ public:
+  explicit ChangedGraph(Graph& graph);
+  /// Applies the changes of one process. Leaves out vertices that have changed already, because a vertex of
+  /// several processes has the same change in all of them. Throws InvalidArgument if the graph is another
+  /// one.
+  void apply(std::span<const std::uint64_t> changes);
+
+ private:
+  Graph& graph_;
+  std::vector<std::vector<bool>> has_changed_;  // by vertex pool and slot
 };
 
 }  // namespace boxplus::app

@@ -144,28 +144,17 @@ void Communicator::add_up(std::span<double> entries) {
   });
 }
 
-std::vector<char> Communicator::gather_bytes(const void* data, std::size_t bytes, std::vector<int>& counts,
-                                             bool only_first) {
-  exchange_errors();
-  if (bytes > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+std::vector<char> Communicator::gather_bytes(const void* data, std::size_t bytes, std::vector<int>& counts) {
+  if (sum(static_cast<double>(bytes)) > std::numeric_limits<int>::max())
     throw Error("a message of MPI would have more than 2 GiB");
   const int here = static_cast<int>(bytes);
   counts.resize(static_cast<std::size_t>(size_));
   MPI_Allgather(&here, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator_);
   std::vector<int> first(counts.size());
   std::exclusive_scan(counts.begin(), counts.end(), first.begin(), 0);
-  const auto others = static_cast<std::uint64_t>(size_ - 1);
-  std::vector<char> all;
-  if (!only_first || is_first())
-    all.resize(static_cast<std::size_t>(first.back()) + static_cast<std::size_t>(counts.back()));
-  if (only_first) {
-    MPI_Gatherv(data, here, MPI_CHAR, all.data(), counts.data(), first.data(), MPI_CHAR, 0, communicator_);
-    sent_ += is_first() ? 0 : bytes;
-  } else {
-    MPI_Allgatherv(data, here, MPI_CHAR, all.data(), counts.data(), first.data(), MPI_CHAR, communicator_);
-    sent_ += bytes * others;
-  }
-  sent_ += sizeof(int) * others;
+  std::vector<char> all(static_cast<std::size_t>(first.back()) + static_cast<std::size_t>(counts.back()));
+  MPI_Allgatherv(data, here, MPI_CHAR, all.data(), counts.data(), first.data(), MPI_CHAR, communicator_);
+  sent_ += (bytes + sizeof(int)) * static_cast<std::uint64_t>(size_ - 1);
   return all;
 }
 
@@ -182,12 +171,41 @@ std::vector<std::uint64_t> Communicator::gather(std::span<const std::uint64_t> h
   return result;
 }
 
-std::vector<std::uint64_t> Communicator::gather_at_first(std::span<const std::uint64_t> here) {
-  std::vector<int> bytes;
-  const std::vector<char> all = gather_bytes(here.data(), here.size_bytes(), bytes, true);
-  std::vector<std::uint64_t> result(all.size() / sizeof(std::uint64_t));
-  std::copy_n(all.data(), all.size(), reinterpret_cast<char*>(result.data()));
-  return result;
+void Communicator::visit_at_first(std::span<const std::uint64_t> here,
+                                  detail::FunctionRef<void(std::span<const std::uint64_t>)> f) {
+  constexpr std::size_t kMost = 1 << 20;  // the items of a message
+  const auto most = static_cast<std::size_t>(max(static_cast<double>(here.size())));
+  std::vector<std::uint64_t> items;
+  if (is_first()) items.reserve(most);
+  exchange_errors();  // from here on, the others rely on it that the first process receives everything
+  if (!is_first()) {
+    const std::uint64_t count = here.size();
+    MPI_Send(&count, 1, MPI_UINT64_T, 0, 0, communicator_);
+    sent_ += sizeof(count) + here.size_bytes();
+    for (; !here.empty(); here = here.subspan(std::min(kMost, here.size())))
+      MPI_Send(here.data(), static_cast<int>(std::min(kMost, here.size())), MPI_UINT64_T, 0, 0,
+               communicator_);
+    return;
+  }
+  std::exception_ptr failure;
+  const auto visit = [&](std::span<const std::uint64_t> of_process) {
+    try {
+      if (!failure) f(of_process);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  };
+  visit(here);
+  for (int rank = 1; rank < size_; ++rank) {
+    std::uint64_t count = 0;
+    MPI_Recv(&count, 1, MPI_UINT64_T, rank, 0, communicator_, MPI_STATUS_IGNORE);
+    items.resize(count);
+    for (std::size_t first = 0; first < count; first += kMost)
+      MPI_Recv(items.data() + first, static_cast<int>(std::min(kMost, count - first)), MPI_UINT64_T, rank, 0,
+               communicator_, MPI_STATUS_IGNORE);
+    visit(items);
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 std::vector<std::string> Communicator::gather(const std::string& here) {

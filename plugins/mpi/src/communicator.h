@@ -43,8 +43,10 @@ class Communicator {
   void add_up(std::span<double> entries);
   /// The items of all processes, in the order of ranks. `counts` gets the number of each process.
   std::vector<std::uint64_t> gather(std::span<const std::uint64_t> here, std::vector<int>* counts = nullptr);
-  /// The same, but only the first process gets them.
-  std::vector<std::uint64_t> gather_at_first(std::span<const std::uint64_t> here);
+  /// Calls f in the first process, with the items of one process after the other, in the order of ranks. The
+  /// first process holds the items of one other process at a time.
+  void visit_at_first(std::span<const std::uint64_t> here,
+                      detail::FunctionRef<void(std::span<const std::uint64_t>)> f);
   /// The texts of all processes.
   std::vector<std::string> gather(const std::string& here);
 
@@ -58,8 +60,7 @@ class Communicator {
   void exchange_errors();
   [[noreturn]] void fail_together(Failure failure, const std::string& message);
   void gather_values(double here);
-  std::vector<char> gather_bytes(const void* data, std::size_t bytes, std::vector<int>& counts,
-                                 bool only_first = false);
+  std::vector<char> gather_bytes(const void* data, std::size_t bytes, std::vector<int>& counts);
 
   MPI_Comm communicator_ = MPI_COMM_NULL;
   int rank_ = 0, size_ = 1;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <span>
 
 #include "graph/graph_view.h"
 
@@ -10,6 +12,49 @@ namespace boxplus::mpi {
 namespace {
 
 constexpr std::uint32_t kNone = GraphView::kNone;
+
+/// Cuts a sequence so that the weights of the parts are about equal. Calls f(index, part).
+template <class F>
+void cut(std::span<const std::uint64_t> weights, std::uint32_t parts, F&& f) {
+  const std::uint64_t all = std::accumulate(weights.begin(), weights.end(), std::uint64_t{0});
+  std::uint64_t before = 0;
+  for (std::size_t i = 0; i < weights.size() && all > 0; ++i) {
+    f(i, std::min(parts - 1, static_cast<std::uint32_t>(before * parts / all)));
+    before += weights[i];
+  }
+}
+
+/// An eliminated vertex goes to the part of most of its edges that has room, and otherwise to the smallest
+/// part. A vote is (eliminated vertex << 32) + the part of one of its edges. `sizes` are the numbers of edges
+/// that the parts already have, `edges` is the number of all edges. Calls f(vertex, part) in the order of the
+/// vertices.
+template <class F>
+void place(std::vector<std::uint64_t>& votes, std::vector<std::uint64_t> sizes, std::size_t edges, F&& f) {
+  std::ranges::sort(votes);
+  constexpr double kExcess = 1.01;
+  const auto room = static_cast<std::uint64_t>(
+      kExcess * static_cast<double>(edges) / static_cast<double>(sizes.size()) + 1);
+  for (auto first = votes.begin(); first != votes.end();) {
+    const auto vertex = static_cast<std::uint32_t>(*first >> 32);
+    const auto end =
+        std::find_if(first, votes.end(), [&](std::uint64_t vote) { return vote >> 32 != vertex; });
+    const auto count = static_cast<std::uint64_t>(end - first);
+    std::uint64_t most = 0;
+    auto best = static_cast<std::uint32_t>(std::ranges::min_element(sizes) - sizes.begin());
+    for (; first != end;) {
+      const auto last = std::upper_bound(first, end, *first);
+      const auto part = static_cast<std::uint32_t>(*first);
+      const auto agreed = static_cast<std::uint64_t>(last - first);
+      if (agreed > most && sizes[part] + count <= room) {
+        most = agreed;
+        best = part;
+      }
+      first = last;
+    }
+    f(vertex, best);
+    sizes[best] += count;
+  }
+}
 
 class Division {
  public:
@@ -64,26 +109,23 @@ class Division {
   /// that decides its part.
   void cut_kept() {
     std::vector<std::uint64_t> weight(view_.numbers(), 0);
-    std::uint64_t all = 0, before = 0;
     for (const EdgeRef& edge : edges_) {
       const Ends ends = ends_of(edge);
       const std::uint32_t end = ends.eliminated != kNone ? ends.specific : ends.lowest;
-      if (end == kNone) continue;
-      ++weight[end];
-      ++all;
+      if (end != kNone) ++weight[end];
     }
+    std::vector<std::uint32_t> kept;
+    std::vector<std::uint64_t> weights;
     for (const VertexRef& vertex : graph_.all_vertices()) {
-      if (graph_.is_eliminated(vertex) || all == 0) continue;
-      const std::uint32_t number = view_.number(vertex);
-      part_[number] = std::min(parts_ - 1, static_cast<std::uint32_t>(before * parts_ / all));
-      before += weight[number];
+      if (graph_.is_eliminated(vertex)) continue;
+      kept.push_back(view_.number(vertex));
+      weights.push_back(weight[kept.back()]);
     }
+    cut(weights, parts_, [&](std::size_t i, std::uint32_t part) { part_[kept[i]] = part; });
   }
 
-  /// An eliminated vertex goes to the part of most of its edges that has room, and otherwise to the smallest
-  /// part.
   void place_eliminated() {
-    std::vector<std::uint64_t> votes;  // an eliminated vertex, and the part of one of its edges
+    std::vector<std::uint64_t> votes;
     std::vector<std::uint64_t> sizes(parts_, 0);
     for (const EdgeRef& edge : edges_) {
       const Ends ends = ends_of(edge);
@@ -94,30 +136,8 @@ class Division {
                         (ends.specific == kNone ? 0 : part_[ends.specific]));
       }
     }
-    std::ranges::sort(votes);
-    constexpr double kExcess = 1.01;
-    const auto room = static_cast<std::uint64_t>(
-        kExcess * static_cast<double>(edges_.size()) / static_cast<double>(parts_) + 1);
-    for (auto first = votes.begin(); first != votes.end();) {
-      const auto vertex = static_cast<std::uint32_t>(*first >> 32);
-      const auto end =
-          std::find_if(first, votes.end(), [&](std::uint64_t vote) { return vote >> 32 != vertex; });
-      const auto count = static_cast<std::uint64_t>(end - first);
-      std::uint64_t most = 0;
-      auto best = static_cast<std::uint32_t>(std::ranges::min_element(sizes) - sizes.begin());
-      for (; first != end;) {
-        const auto last = std::upper_bound(first, end, *first);
-        const auto part = static_cast<std::uint32_t>(*first);
-        const auto agreed = static_cast<std::uint64_t>(last - first);
-        if (agreed > most && sizes[part] + count <= room) {
-          most = agreed;
-          best = part;
-        }
-        first = last;
-      }
-      part_[vertex] = best;
-      sizes[best] += count;
-    }
+    place(votes, sizes, edges_.size(),
+          [&](std::uint32_t vertex, std::uint32_t part) { part_[vertex] = part; });
   }
 
   const Graph& graph_;
@@ -128,6 +148,20 @@ class Division {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> parts_of_eliminated(std::vector<std::uint64_t>& pairs, std::uint32_t eliminated,
+                                               std::uint32_t kept, int parts) {
+  std::vector<std::uint64_t> weights(kept, 0);
+  for (const std::uint64_t pair : pairs) ++weights[static_cast<std::uint32_t>(pair)];
+  std::vector<std::uint32_t> part_of_kept(kept, 0), result(eliminated, 0);
+  const auto count = static_cast<std::uint32_t>(parts);
+  cut(weights, count, [&](std::size_t i, std::uint32_t part) { part_of_kept[i] = part; });
+  for (std::uint64_t& pair : pairs)
+    pair = (pair >> 32 << 32) + part_of_kept[static_cast<std::uint32_t>(pair)];
+  place(pairs, std::vector<std::uint64_t>(count, 0), pairs.size(),
+        [&](std::uint32_t vertex, std::uint32_t part) { result[vertex] = part; });
+  return result;
+}
 
 std::vector<EdgeRef> edges_of_part(const Graph& graph, int part, int parts) {
   std::vector<EdgeRef> edges = graph.all_edges();

@@ -2,6 +2,7 @@
 // Divides a graph among processes.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
@@ -13,5 +14,11 @@ namespace boxplus::mpi {
 /// of these edges, unless that is full. Another edge belongs to the part of its vertex with the lowest id.
 /// Depends only on the graph. O(n log n).
 std::vector<EdgeRef> edges_of_part(const Graph& graph, int part, int parts);
+
+/// The same division, without a graph, if each edge has one eliminated vertex and one other: the part of each
+/// eliminated vertex. `pairs` has (eliminated vertex << 32) + other vertex for each edge, both numbered in
+/// the order of ids from 0 on. They are overwritten.
+std::vector<std::uint32_t> parts_of_eliminated(std::vector<std::uint64_t>& pairs, std::uint32_t eliminated,
+                                               std::uint32_t kept, int parts);
 
 }  // namespace boxplus::mpi

@@ -11,6 +11,8 @@
 // them, and are marked to be eliminated. The observations are edges Reprojection<BalCamera> with Ω = I.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,24 @@ FileFormat bal_format();
 inline constexpr int kBalCameraValues = 9;
 
 GraphFile read_bal(const TextSource& text, const ReadOptions& options);
+
+/// Who observes whom, without the coordinates.
+struct BalObservations {
+  std::uint32_t cameras = 0, points = 0;
+  std::vector<std::uint64_t> pairs;  ///< (point << 32) + camera, in the order of the file
+};
+/// Throws what read_bal() throws. Needs 8 bytes per observation.
+BalObservations read_bal_observations(const TextSource& text, const ReadOptions& options);
+
+/// Some of the points.
+struct BalPoints {
+  std::vector<bool> is_wanted;   ///< by index
+  std::size_t observations = 0;  ///< of these points
+};
+/// Does the same as read_bal(), but leaves out other points and their observations. All cameras are there.
+/// Vertices have the ids of the whole problem, and notes are about the whole file.
+GraphFile read_bal_part(const TextSource& text, const ReadOptions& options, const BalPoints& points);
+
 void write_bal(const GraphFileView& file, const WriteOptions& options, TextSink sink);
 /// See losses().
 std::vector<std::string> bal_losses(const GraphFileView& file);

@@ -32,7 +32,17 @@ std::string counted_with_verb(std::int64_t count, const char* one, const char* m
 /// point.
 class BalReader {
  public:
-  BalReader(const TextSource& text, const ReadOptions& options) : text_(text), options_(options) {}
+  /// Which points to read, and the number of their observations; null: all.
+  BalReader(const TextSource& text, const ReadOptions& options, const BalPoints* wanted = nullptr)
+      : text_(text), options_(options), wanted_(wanted) {}
+
+  /// Reads only who observes whom.
+  BalObservations read_observations() {
+    BalObservations observations;
+    observations_ = &observations;
+    (void)read();
+    return observations;
+  }
 
   GraphFile read() {
     prepare_and_consume<NumberBlock>(
@@ -98,14 +108,14 @@ class BalReader {
         take_camera(block, last);
         break;
       default:
-        file_.graph.set_estimate(points_[items_], Vector3(item_.data()));
+        if (is_wanted(items_)) file_.graph.set_estimate(points_[items_], Vector3(item_.data()));
     }
     ++items_;
     if (part_ == Part::kCounts) items_ = 0;
     const auto is_complete = [this] {
       return items_ == (part_ == Part::kObservations ? observation_count_
-                        : part_ == Part::kCameras    ? cameras_.size()
-                                                     : points_.size());
+                        : part_ == Part::kCameras    ? is_camera_used_.size()
+                                                     : is_point_used_.size());
     };
     if (part_ == Part::kCounts) part_ = Part::kObservations;
     while (part_ != Part::kEnd && is_complete()) {
@@ -114,7 +124,7 @@ class BalReader {
     }
   }
 
-  /// Creates all vertices, unless the text is too short for them.
+  /// Creates the vertices, unless the text is too short for all of them.
   void take_counts(const NumberBlock& block, std::size_t last) {
     // A value takes at least one digit and one blank; after the last value, the blank may be missing.
     const double bytes = 2 * (4 * item_[2] + kBalCameraValues * item_[0] + 3 * item_[1]) - 1;
@@ -127,26 +137,44 @@ class BalReader {
     camera_count_ = item_[0];
     point_count_ = item_[1];
     observation_count_ = static_cast<std::size_t>(item_[2]);
-    cameras_.reserve(static_cast<std::size_t>(camera_count_));
-    points_.reserve(static_cast<std::size_t>(point_count_));
-    while (static_cast<double>(cameras_.size()) < camera_count_)
-      cameras_.push_back(file_.graph.add_vertex(BalVertex()));
-    while (static_cast<double>(points_.size()) < point_count_) {
-      points_.push_back(file_.graph.add_vertex(Vector3(0, 0, 0)));
-      file_.graph.set_eliminated(points_.back(), true);
+    is_camera_used_.resize(static_cast<std::size_t>(camera_count_));
+    is_point_used_.resize(static_cast<std::size_t>(point_count_));
+    if (observations_) {
+      observations_->cameras = static_cast<std::uint32_t>(camera_count_);
+      observations_->points = static_cast<std::uint32_t>(point_count_);
+      observations_->pairs.reserve(observation_count_);
+    } else {
+      create_vertices();
     }
-    is_camera_used_.resize(cameras_.size());
-    is_point_used_.resize(points_.size());
-    detail::reserve(file_.edges, observation_count_);
   }
+
+  void create_vertices() {
+    cameras_.reserve(is_camera_used_.size());
+    points_.resize(is_point_used_.size());
+    while (cameras_.size() < is_camera_used_.size()) cameras_.push_back(file_.graph.add_vertex(BalVertex()));
+    for (std::size_t point = 0; point < points_.size(); ++point) {
+      if (!is_wanted(point)) continue;
+      points_[point] = file_.graph.add_vertex(Vector3(0, 0, 0), static_cast<Id>(cameras_.size() + point));
+      file_.graph.set_eliminated(points_[point], true);
+    }
+    detail::reserve(file_.edges, edge_count());
+  }
+
+  bool is_wanted(std::size_t point) const {
+    return observations_ == nullptr && (wanted_ == nullptr || wanted_->is_wanted[point]);
+  }
+  /// The number of observations of these points.
+  std::size_t edge_count() const { return wanted_ ? wanted_->observations : observation_count_; }
 
   void take_observation() {
     const auto camera = static_cast<std::size_t>(item_[0]), point = static_cast<std::size_t>(item_[1]);
-    file_.edges.push_back(
-        file_.graph.add_edge(BalEdge(Vector2(item_[2], item_[3])), cameras_[camera], points_[point]));
-    if (file_.edges.size() == 1) file_.graph.reserve_edges(file_.edges.back(), observation_count_);
     is_camera_used_[camera] = true;
     is_point_used_[point] = true;
+    if (observations_) observations_->pairs.push_back((std::uint64_t{point} << 32) + camera);
+    if (!is_wanted(point)) return;
+    file_.edges.push_back(
+        file_.graph.add_edge(BalEdge(Vector2(item_[2], item_[3])), cameras_[camera], points_[point]));
+    if (file_.edges.size() == 1) file_.graph.reserve_edges(file_.edges.back(), edge_count());
   }
 
   void take_camera(const NumberBlock& block, std::size_t last) {
@@ -154,6 +182,7 @@ class BalReader {
     if (!is_moderate(T_world_camera))
       fail(block, last,
            fmt::format("camera {}: expected a pose with moderate values, got values that overflow", items_));
+    if (observations_) return;
     file_.graph.set_estimate(cameras_[items_],
                              BalVertex(T_world_camera, BalCamera(item_[6], item_[7], item_[8])));
   }
@@ -202,6 +231,8 @@ class BalReader {
 
   const TextSource& text_;
   const ReadOptions& options_;
+  const BalPoints* wanted_ = nullptr;
+  BalObservations* observations_ = nullptr;  // if only these are read
   GraphFile file_;
   Part part_ = Part::kCounts;
   std::array<double, kBalCameraValues> item_{};  // the values of the current item
@@ -218,6 +249,14 @@ class BalReader {
 
 GraphFile read_bal(const TextSource& text, const ReadOptions& options) {
   return BalReader(text, options).read();
+}
+
+BalObservations read_bal_observations(const TextSource& text, const ReadOptions& options) {
+  return BalReader(text, options).read_observations();
+}
+
+GraphFile read_bal_part(const TextSource& text, const ReadOptions& options, const BalPoints& points) {
+  return BalReader(text, options, &points).read();
 }
 
 }  // namespace boxplus

@@ -189,6 +189,36 @@ TEST(BalFormat, MayRepeatObservations) {
   EXPECT_EQ(file.graph.edge_count(), 2u);
 }
 
+TEST(BalFormat, CanBeReadWithoutCoordinates) {
+  const BalObservations observations = read_bal_observations(TextSource(kProblem, "g"), {});
+  EXPECT_EQ(observations.cameras, 2u);
+  EXPECT_EQ(observations.points, 3u);
+  const std::uint64_t first = 0, second = std::uint64_t{1} << 32, third = std::uint64_t{2} << 32;
+  EXPECT_THAT(observations.pairs, ElementsAre(first, first + 1, second, third + 1));
+}
+
+TEST(BalFormat, CanBeReadInPartsWithTheIdsOfTheWholeProblem) {
+  const GraphFile part =
+      read_bal_part(TextSource(kProblem, "g"), {}, {.is_wanted = {false, true, false}, .observations = 1});
+  EXPECT_EQ(part.graph.vertex_count(), 3u);
+  ASSERT_EQ(part.edges.size(), 1u);
+  EXPECT_EQ(part.graph.estimate(part.graph.vertex<Vector3>(3)), Vector3(0, 1, -9));
+  EXPECT_TRUE(part.graph.is_eliminated(*part.graph.find_vertex(3)));
+  EXPECT_EQ(camera(part.graph, 1).get<1>().parameters, Vector3(400, 0, 0));
+  const GraphFile whole = problem();
+  EXPECT_EQ(part.graph.chi2(part.edges[0]), whole.graph.chi2(whole.edges[2]));
+  EXPECT_TRUE(part.notes.empty());
+}
+
+TEST(BalFormat, IsRefusedInPartsAsItIsAsAWhole) {
+  const std::string text = kHeader + kObservations + kFirstCamera + kSecondCamera + "1\n2\nx\n";
+  const TextSource source(text, "g");
+  const BalPoints none{.is_wanted = std::vector<bool>(3), .observations = 0};
+  EXPECT_THAT(complaint(text), HasSubstr("got 'x'"));
+  EXPECT_THROW((void)read_bal_observations(source, {}), InputError);
+  EXPECT_THROW((void)read_bal_part(source, {}, none), InputError);
+}
+
 TEST(BalFormat, NotesCamerasAndPointsWithoutObservations) {
   GraphFile file = parse_graph("2 3 1\n1 1 1 2\n" + kFirstCamera + kSecondCamera + kPoints, "g");
   ASSERT_EQ(file.notes.size(), 2u);

@@ -3,6 +3,9 @@
 """Tests boxplus-mpi: command_test.py BOXPLUS DATA_FOLDER BOXPLUS_MPI MPIRUN ..."""
 
 import json
+import os
+import pathlib
+import signal
 import subprocess
 import sys
 
@@ -29,22 +32,24 @@ class MpiCommandTest(CommandCase):
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
         return json.loads((self.path / "report.json").read_text(encoding="utf-8"))
 
-    def assert_same_optimum(self, graph, *arguments):
+    def assert_same_optimum(self, graph, *arguments, numbers=(1, 2, 3, 4)):
         run("optimize", graph, "--quiet", "--json", self.path / "one.json", *arguments)
         expected = json.loads((self.path / "one.json").read_text(encoding="utf-8"))
-        for processes in (1, 2, 3, 4):
+        for processes in numbers:
             report = self.report_of(processes, graph, *arguments)
             self.assertAlmostEqual(report["chi2_final"] / expected["chi2_final"], 1, delta=1e-9)
-            for same in ("edges", "rows", "scalars", "degrees_of_freedom"):
+            for same in ("edges", "rows", "scalars", "degrees_of_freedom", "gauge", "kernel"):
                 self.assertEqual(report[same], expected[same])
             self.assertEqual(report["distribution"]["processes"], processes)
             self.assertEqual(sum(report["distribution"]["edges_per_process"]), expected["edges"])
-        self.assertEqual(self.report_of(4, graph, *arguments)["chi2_final"], report["chi2_final"])
+        self.assertEqual(self.report_of(numbers[-1], graph, *arguments)["chi2_final"], report["chi2_final"])
 
     def test_reaches_the_optimum_of_one_process_on_a_street(self):
         street = self.simulated("street.bal", "ba", "--shape", "street", "--cameras", 40, "--points", 1000)
         self.assert_same_optimum(street)
         self.assert_same_optimum(street, "--kernel", "Huber")
+        for arguments in (("--hold", "intrinsics"), ("--hold", "points"), ("--fix", "0,3"), ("--pixel-sigma", 2)):
+            self.assert_same_optimum(street, *arguments, numbers=(3,))
 
     def test_reaches_the_optimum_of_one_process_on_a_sphere(self):
         sphere = self.simulated("sphere.g2o", "sphere", "--poses", 400)
@@ -58,6 +63,50 @@ class MpiCommandTest(CommandCase):
             report = self.report_of(3, graph, "-o", output)
             again = run("optimize", output, "--iterations", 0, "--quiet", "--json", "-")
             self.assertAlmostEqual(json.loads(again.stdout)["chi2_final"] / report["chi2_final"], 1, delta=1e-9)
+
+    def test_finds_the_gauge_freedom_of_each_component(self):
+        street = self.simulated("street.bal", "ba", "--cameras", 10, "--points", 200)
+        self.assert_same_optimum(self.twice(street), numbers=(2, 4))
+
+    def twice(self, path):
+        """A BAL problem of two copies of a problem that share nothing."""
+        cameras, points, edges, *rest = path.read_text(encoding="utf-8").split()
+        cameras, points, edges = int(cameras), int(points), int(edges)
+        observations, values = rest[:4 * edges], rest[4 * edges:]
+        lines = [f"{2 * cameras} {2 * points} {2 * edges}"]
+        for copy in (0, 1):
+            for k in range(0, len(observations), 4):
+                camera, point, *pixel = observations[k:k + 4]
+                lines.append(f"{int(camera) + copy * cameras} {int(point) + copy * points} {' '.join(pixel)}")
+        lines += 2 * values[:9 * cameras] + 2 * values[9 * cameras:]
+        return self.written("twice.bal", "\n".join(lines) + "\n")
+
+    def test_holds_a_part_of_a_bal_problem_in_each_process(self):
+        tiny = self.simulated("tiny.bal", "ba", "--cameras", 8, "--points", 100)
+        street = self.simulated("street.bal", "ba", "--cameras", 100, "--points", 60000)
+        def memory(processes, graph):
+            return max(self.report_of(processes, graph)["distribution"]["peak_bytes_per_process"])
+        of_one, of_four = (memory(n, street) - memory(n, tiny) for n in (1, 4))
+        self.assertLess(of_four, 0.35 * of_one)
+
+    def test_ends_soon_if_a_process_is_killed(self):
+        street = self.simulated("street.bal", "ba", "--cameras", 100, "--points", 60000)
+        words = [*MPIRUN, "-n", "3", BOXPLUS_MPI, "optimize", str(street), "--verbose"]
+        with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8") as start:
+            self.assertIn("iteration", start.stderr.readline())
+            os.kill(self.children(start.pid)[-1], signal.SIGKILL)
+            _, messages = start.communicate(timeout=20)
+        self.assertNotEqual(start.returncode, 0)
+        self.assertIn("signal 9", messages)
+
+    def children(self, parent):
+        """The processes that a process has started, and that still run."""
+        def parent_of(process):
+            try:
+                return int(process.joinpath("stat").read_text(encoding="utf-8").rpartition(")")[2].split()[1])
+            except OSError:  # it has ended
+                return None
+        return sorted(int(process.name) for process in pathlib.Path("/proc").glob("[0-9]*") if parent_of(process) == parent)
 
     def test_prints_the_report_once(self):
         done = self.run_mpi(2, "optimize", self.simulated("sphere.g2o", "sphere", "--poses", 100))

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -243,6 +244,29 @@ TEST(DistributedOptimizer, EndsInAllProcessesIfOneIsStopped) {
   EXPECT_EQ(report.iterations, 0);
 }
 
+TEST(Communicator, ShowsTheFirstProcessTheItemsOfAllInTheOrderOfRanks) {
+  constexpr std::size_t kCount = 2'500'000;  // several messages
+  mpi::Communicator communicator(MPI_COMM_WORLD);
+  const std::vector<std::uint64_t> here(kCount * static_cast<std::size_t>(rank() % 2), 7);
+  std::vector<std::size_t> sizes;
+  communicator.visit_at_first(here, [&](std::span<const std::uint64_t> items) {
+    sizes.push_back(items.size());
+    EXPECT_TRUE(std::ranges::all_of(items, [](std::uint64_t item) { return item == 7; }));
+  });
+  ASSERT_EQ(sizes.size(), rank() == 0 ? static_cast<std::size_t>(processes()) : 0);
+  for (std::size_t k = 0; k < sizes.size(); ++k) EXPECT_EQ(sizes[k], kCount * (k % 2));
+}
+
+TEST(Communicator, FailsInAllProcessesIfTheFirstRefusesAnItem) {
+  mpi::Communicator communicator(MPI_COMM_WORLD);
+  const std::vector<std::uint64_t> here(100'000, 7);  // too many for a message that nobody waits for
+  const auto visit = [&] {
+    communicator.visit_at_first(here, [](std::span<const std::uint64_t>) { throw InvalidArgument("no"); });
+    (void)communicator.sum(1);
+  };
+  EXPECT_THROW(communicator.together(visit), InvalidArgument);
+}
+
 TEST(EdgesOfPart, AreAllEdgesInEqualNumbersAndThoseOfAPointTogether) {
   constexpr int kParts = 3;
   const Graph graph = street();
@@ -262,6 +286,25 @@ TEST(EdgesOfPart, AreAllEdgesInEqualNumbersAndThoseOfAPointTogether) {
     }
   }
   EXPECT_EQ(count, graph.edge_count());
+}
+
+TEST(PartsOfEliminated, AreThoseOfTheEdgesOfTheGraph) {
+  constexpr int kParts = 3;
+  constexpr std::uint32_t kCameras = 30, kPoints = 400;
+  const Graph graph = street();
+  std::vector<std::uint64_t> pairs;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    const std::vector<VertexRef> ends = graph.vertices(edge);
+    pairs.push_back(((static_cast<std::uint64_t>(graph.id(ends[1])) - kCameras) << 32) +
+                    static_cast<std::uint64_t>(graph.id(ends[0])));
+  }
+  const std::vector<std::uint32_t> parts = mpi::parts_of_eliminated(pairs, kPoints, kCameras, kParts);
+  for (int part = 0; part < kParts; ++part) {
+    for (const EdgeRef& edge : mpi::edges_of_part(graph, part, kParts)) {
+      const Id point = graph.id(graph.vertices(edge)[1]) - Id{kCameras};
+      EXPECT_EQ(parts[static_cast<std::size_t>(point)], static_cast<std::uint32_t>(part));
+    }
+  }
 }
 
 }  // namespace
