@@ -135,15 +135,22 @@ class StartSearch {
     if (!is_automatic() || !eliminates(descent_)) return descent_.run(chi2);
     Crawl crawl;
     bool gave_up = false;
-    const RunResult result = descent_.run_while(
+    RunResult result = descent_.run_while(
         [&](const IterationRecord& record) {
           gave_up = crawl.is_noticed(record.chi2) && is_stuck(record.chi2);
           return !gave_up;
         },
         chi2);
     if (is_interruption(result.reason) && !gave_up) return result;
+    if (gave_up) result.reason = unfinished();
     if (!descent_.may_go_on() || !is_stuck(result.chi2)) return result;
     return run_carefully(result);
+  }
+
+  /// The reason why a run that gave up is at its end, if no other one follows.
+  Report::Reason unfinished() {
+    const bool is_over = any(descent_.system(), descent_.limit().raised());
+    return is_over ? reason_of(descent_.limit()) : Report::Reason::kMaxIterations;
   }
 
   /// Runs again from the original estimates, by Levenberg-Marquardt with D = I. Then continues from the

@@ -174,5 +174,21 @@ TEST(EndOfRun, IsAtTheBestKnownMinimumForMostRunsFromFarAway) {
   EXPECT_GE(good, kSeeds / 2);
 }
 
+TEST(EndOfRun, NeverNamesACallbackIfThereIsNone) {
+  // In each of these problems, a few edges have most of chi2, so that a run gives up and begins anew.
+  for (const std::uint64_t seed : {1, 4, 6}) {
+    Graph graph = simulate_bundle(BundleShape::kStreet, {.cameras = 20,
+                                                         .points = 400,
+                                                         .seed = seed,
+                                                         .pose_noise = 3,
+                                                         .point_noise = 20,
+                                                         .outliers = 0.02})
+                      .graph;
+    const Report report = optimize(graph, {.threads = 1});
+    EXPECT_NE(report.reason, Report::Reason::kCallback) << seed;
+    EXPECT_LE(report.iterations, 100) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace boxplus
