@@ -12,11 +12,12 @@
 #include "boxplus/types/inertial.h"
 #include "boxplus/types/slam3d.h"
 #include "incremental/road.h"
+#include "sanitized.h"
 
 namespace boxplus {
 namespace {
 
-constexpr int kRuns = 20;
+constexpr int kRuns = kSanitized ? 5 : 20;
 
 /// The sum of `count` normalized errors squared has a χ² distribution, which is nearly normal.
 void expect_consistent(double sum, int count, int dim, const char* what) {

@@ -66,8 +66,9 @@ struct Axis {
   void for_each_tick(F&& f) const {
     constexpr double kRounding = 1e-9;
     const bool is_short = high / low < 200;
-    for (double power = std::pow(10, std::floor(std::log10(low) + kRounding));
-         power <= high * (1 + kRounding); power *= 10) {
+    const double first = std::floor(std::log10(low) + kRounding);
+    for (int k = 0; first + k <= std::log10(high) + kRounding; ++k) {
+      const double power = std::pow(10, first + k);
       for (const double digit : {1.0, 2.0, 5.0}) {
         const double value = digit * power;
         if (value >= low * (1 - kRounding) && value <= high * (1 + kRounding))
