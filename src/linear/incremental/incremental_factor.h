@@ -147,6 +147,7 @@ class IncrementalFactor {
   /// The part of the forest that is ordered anew.
   struct Top {
     std::vector<Index> fronts, blocks, orphans;
+    std::vector<std::pair<Index, Index>> orphans_of;  // places of blocks, and orphans below them; scratch
   };
 
   void touch(Index block);

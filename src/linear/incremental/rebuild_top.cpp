@@ -76,11 +76,14 @@ void IncrementalFactor::take_top_apart(FactorWork& work) {
 BlockStructure IncrementalFactor::structure_of_top() {
   BlockStructure structure;
   const auto count = static_cast<std::uint32_t>(top_.blocks.size());
-  std::vector<std::vector<Index>> orphans(top_.orphans.empty() ? 0 : count);
   for (std::uint32_t k = 0; k < count; ++k) local_[top_.blocks[k]] = k;
+  auto& orphans = top_.orphans_of;
+  orphans.clear();
   for (const Index orphan : top_.orphans) {
-    for (const Index b : fronts_[orphan].separator()) orphans[local_[b]].push_back(orphan);
+    for (const Index b : fronts_[orphan].separator()) orphans.emplace_back(local_[b], orphan);
   }
+  std::sort(orphans.begin(), orphans.end());
+  auto orphan = orphans.begin();
   structure.offset.reserve(count + 1);
   structure.column_start.reserve(count + 1);
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -100,11 +103,9 @@ BlockStructure IncrementalFactor::structure_of_top() {
           std::any_of(members.begin(), members.end(), [&](Index b) { return blocks_[b].front != kNone; });
       if (!is_below) std::for_each(members.begin(), members.end(), add);
     }
-    if (!orphans.empty()) {
-      for (const Index orphan : orphans[k]) {
-        const auto separator = fronts_[orphan].separator();
-        std::for_each(separator.begin(), separator.end(), add);
-      }
+    for (; orphan != orphans.end() && orphan->first == k; ++orphan) {
+      const auto separator = fronts_[orphan->second].separator();
+      std::for_each(separator.begin(), separator.end(), add);
     }
     std::sort(structure.row.begin() + static_cast<std::ptrdiff_t>(first), structure.row.end());
     structure.column_start.push_back(static_cast<std::uint32_t>(structure.row.size()));
