@@ -4,6 +4,7 @@
 #include <pthread.h>
 
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -193,7 +194,12 @@ int hardware_threads() noexcept {
 
 void parallel_tasks(int count, FunctionRef<void(int)> task) {
   if (count > 1 && !inside_task) {
-    pool().run(count, task);
+    std::fenv_t mode;
+    std::fegetenv(&mode);
+    pool().run(count, [&](int i) {
+      std::fesetenv(&mode);
+      task(i);
+    });
   } else if (std::exception_ptr failure = run_here(task, 0, count)) {
     std::rethrow_exception(std::move(failure));
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -204,6 +205,15 @@ TEST(ParallelTasks, RunInAForkedChildProcess) {
   int status = -1;
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
+}
+
+TEST(ParallelTasks, RoundAsTheCaller) {
+  std::array<int, 4> modes{};
+  const int before = std::fegetround();
+  std::fesetround(FE_UPWARD);
+  detail::parallel_tasks(4, [&](int i) { modes[static_cast<std::size_t>(i)] = std::fegetround(); });
+  std::fesetround(before);
+  EXPECT_THAT(modes, Each(FE_UPWARD));
 }
 
 /// Limits the address space of the process, so that the stack of another thread does not fit.

@@ -20,6 +20,8 @@ int hardware_threads() noexcept;
 /// threads, the caller runs the remaining tasks. Therefore, the tasks of one call must not wait for each
 /// other.
 ///
+/// Tasks compute in the floating-point mode of the caller (rounding, subnormal numbers), on any thread.
+///
 /// All tasks run, even if some of them throw. Then the first exception in the order of the tasks is rethrown.
 void parallel_tasks(int count, FunctionRef<void(int)> task);
 

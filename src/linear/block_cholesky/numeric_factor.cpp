@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "boxplus/base/large_pages.h"
+#include "base/flush_subnormals.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/kernel_table.h"
 #include "linear/block_cholesky/front_elimination.h"
@@ -178,6 +179,7 @@ template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
                               NumericFactor<Scalar>& factor) {
+  const FlushSubnormals flush;
   const Context<Scalar> context{symbolic, structure, values, damping, stop, factor};
   factor.suspects.clear();
   if (symbolic.schedule.is_parallel()) {

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "base/paced_stop.h"
+#include "base/flush_subnormals.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/dense_kernels.h"
 #include "kernels/kernel_table.h"
@@ -216,6 +217,7 @@ template <class Scalar>
 bool solve_with(const SymbolicFactor& symbolic, const BlockStructure& structure,
                 const NumericFactor<Scalar>& factor, const double* b, int columns, double* x,
                 const StopToken& stop) {
+  const FlushSubnormals flush;
   const std::size_t scalars = structure.scalars(), stride = static_cast<std::size_t>(columns);
   const auto for_all = [&](auto&& move) {
     Scalar* permuted = factor.x();
