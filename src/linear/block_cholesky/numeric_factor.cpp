@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "boxplus/base/large_pages.h"
 #include "base/flush_subnormals.h"
+#include "boxplus/base/large_pages.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/kernel_table.h"
 #include "linear/block_cholesky/front_elimination.h"

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "base/paced_stop.h"
 #include "base/flush_subnormals.h"
+#include "base/paced_stop.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/dense_kernels.h"
 #include "kernels/kernel_table.h"
