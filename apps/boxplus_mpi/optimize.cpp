@@ -16,7 +16,9 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/mpi/distributed_optimizer.h"
+#include "checkpoint.h"
 #include "command_line/message.h"
+#include "command_line/option_kinds.h"
 #include "divide_graph.h"
 #include "file_part.h"
 #include "files/graph_input.h"
@@ -41,6 +43,11 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
+
+struct DistributedArguments : OptimizeArguments {
+  std::string checkpoint, restart;  ///< files; empty: none
+  int checkpoint_every = 10;        ///< iterations
+};
 
 /// What the processes have in common, for the report.
 struct Distribution {
@@ -84,7 +91,7 @@ bool can_use_part(const OptimizeArguments& arguments) {
 
 class DistributedRun {
  public:
-  DistributedRun(OptimizeArguments arguments, mpi::Communicator& communicator)
+  DistributedRun(DistributedArguments arguments, mpi::Communicator& communicator)
       : arguments_(std::move(arguments)), communicator_(communicator) {}
 
   int run(const std::string& command_line) {
@@ -95,6 +102,7 @@ class DistributedRun {
       return guess(start);
     });
     Report& report = distribution_.report;
+    if (!arguments_.checkpoint.empty()) write_checkpoint();
     add_gauge(report);
     std::exception_ptr refusal;
     communicator_.together([&] { refusal = write(); });
@@ -112,8 +120,11 @@ class DistributedRun {
                       lines[0], lines[rank], rank));
     }
     if (communicator_.is_first()) {
-      check_outputs(outputs_of(arguments_));
+      std::vector<Output> outputs = outputs_of(arguments_);
+      outputs.push_back({"--checkpoint", arguments_.checkpoint});
+      check_outputs(outputs);
       refuse_to_replace({"--json", arguments_.json}, {arguments_.input});
+      refuse_to_replace({"--checkpoint", arguments_.checkpoint}, {arguments_.input});
     }
     load();
     if (communicator_.is_first()) {
@@ -157,13 +168,28 @@ class DistributedRun {
       freedoms_ = find_active_set(graph, request).gauge.freedoms;
     }
     if (communicator_.size() > 1) choose_edges();
-    if (communicator_.is_first() && arguments_.verbose) {
-      options_.callback = [](const IterationRecord& record) {
+    if (!arguments_.checkpoint.empty() || (!arguments_.output.empty() && communicator_.size() > 1))
+      results_.emplace(graph, communicator_.size() == 1 ? graph.all_edges() : own_edges());
+    if (!arguments_.restart.empty()) {
+      options_.start = Start::kCurrent;
+      ChangedGraph changed(graph, part_.has_value());
+      apply_checkpoint(arguments_.restart, facts_.edges, changed);
+    }
+    options_.callback = [this](const IterationRecord& record) {
+      if (communicator_.is_first() && arguments_.verbose)
         write_to_stderr(fmt::format("iteration {:3}  chi2 {:<13.7g}  step {:<10.3e}  {:.2f} s\n",
                                     record.iteration, record.chi2, record.step_max, record.time_s));
-        return true;
-      };
-    }
+      if (!arguments_.checkpoint.empty() && record.iteration % arguments_.checkpoint_every == 0)
+        write_checkpoint();
+      return true;
+    };
+  }
+
+  void write_checkpoint() {
+    communicator_.together([&] {
+      app::write_checkpoint(arguments_.checkpoint, facts_.edges, results_->changes(file_->graph),
+                            communicator_);
+    });
   }
 
   /// Leaves this process its own edges.
@@ -174,12 +200,13 @@ class DistributedRun {
     } else {
       options_.edges = mpi::edges_of_part(graph, communicator_.rank(), communicator_.size());
     }
-    const std::vector<EdgeRef>& own = part_ ? file_->edges : options_.edges;
-    if (own.empty())
+    if (own_edges().empty())
       throw InvalidArgument(fmt::format("{}: too few edges for {} processes", input_name(arguments_.input),
                                         communicator_.size()));
-    if (!arguments_.output.empty()) results_.emplace(graph, own);
   }
+
+  /// The edges of this process, if there are several.
+  const std::vector<EdgeRef>& own_edges() const { return part_ ? file_->edges : options_.edges; }
 
   /// Replaces the estimates by an initial guess, which every process computes for the whole graph. There is
   /// none for what is read in parts.
@@ -205,7 +232,7 @@ class DistributedRun {
   void collect() {
     for (const detail::GaugeVertex& held : held_) file_->graph.unfix(held.vertex);
     fixed_.reset();
-    if (!results_) return;
+    if (arguments_.output.empty() || communicator_.size() == 1) return;
     const std::vector<std::uint64_t> changes = results_->changes(file_->graph);
     results_.reset();
     options_ = {};
@@ -243,7 +270,7 @@ class DistributedRun {
     return refusal;
   }
 
-  OptimizeArguments arguments_;
+  DistributedArguments arguments_;
   mpi::Communicator& communicator_;
   const Clock::time_point begin_ = Clock::now();
   Options options_;
@@ -257,6 +284,25 @@ class DistributedRun {
   Distribution distribution_;
 };
 
+void add_checkpoint_options(CLI::App& command, DistributedArguments& arguments) {
+  const auto add_file = [&](const char* option, std::string& path, const char* help) {
+    return command.add_option(option, path, help)
+        ->check(file_name())
+        ->type_name("FILE")
+        ->group("Checkpoints");
+  };
+  CLI::Option* checkpoint =
+      add_file("--checkpoint", arguments.checkpoint,
+               "Where to write the estimates every few iterations and at the end of the run");
+  command.add_option("--checkpoint-every", arguments.checkpoint_every, "The iterations from one to the next")
+      ->check(whole_number_from(1))
+      ->default_str("10")
+      ->group("Checkpoints")
+      ->needs(checkpoint);
+  add_file("--restart", arguments.restart, "Begin with the estimates of a checkpoint of the same FILE")
+      ->excludes(command.get_option("--start"));
+}
+
 /// The arguments as one line, for comparisons.
 std::string command_line_of(const CLI::App& command) {
   return command.config_to_str(false, false);
@@ -265,16 +311,19 @@ std::string command_line_of(const CLI::App& command) {
 }  // namespace
 
 void add_distributed_optimize(CLI::App& app, Action& action, mpi::Communicator& communicator) {
-  auto arguments = std::make_shared<OptimizeArguments>();
+  auto arguments = std::make_shared<DistributedArguments>();
   CLI::App* command =
       app.add_subcommand("optimize", "Moves the vertices of a graph to minimize the errors of its edges");
   add_optimize_options(*command, *arguments);
   for (const char* option : {"--outliers", "--write-outliers", "--remove-outliers", "--certify", "--petsc",
                              "--position-priors", "--view", "--port", "--host", "--open"})
     command->remove_option(command->get_option(option));
+  add_checkpoint_options(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  mpirun -n 4 boxplus-mpi optimize scene.bal -o optimized.bal\n"
+      "  mpirun -n 4 boxplus-mpi optimize scene.bal --checkpoint scene.checkpoint\n"
+      "  mpirun -n 4 boxplus-mpi optimize scene.bal --restart scene.checkpoint\n"
       "\n"
       "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.");
   command->callback([&action, &communicator, command, arguments] {

@@ -54,13 +54,14 @@ std::vector<std::uint64_t> Results::changes(const Graph& graph) const {
       pool.difference(slot, nullptr, *pools_[p].before, k, delta.data());
       if (std::ranges::all_of(delta, [](double entry) { return entry == 0; })) continue;
       words.push_back(key_of(pool, slot));
+      words.push_back(delta.size());
       for (const double entry : delta) words.push_back(std::bit_cast<std::uint64_t>(entry));
     }
   }
   return words;
 }
 
-ChangedGraph::ChangedGraph(Graph& graph) : graph_(graph) {
+ChangedGraph::ChangedGraph(Graph& graph, bool is_part) : graph_(graph), is_part_(is_part) {
   for (const auto& pool : graph.vertex_pools()) has_changed_.emplace_back(pool->slots(), false);
 }
 
@@ -68,13 +69,14 @@ void ChangedGraph::apply(std::span<const std::uint64_t> changes) {
   std::vector<double> delta;
   while (!changes.empty()) {
     const std::optional<VertexRef> vertex = find(graph_, changes[0]);
-    const std::size_t dim = vertex ? static_cast<std::size_t>(graph_.tangent_dim(*vertex)) : changes.size();
-    if (dim >= changes.size())
-      throw InvalidArgument("the file has changed during the run, so the result cannot be written");
-    delta.resize(dim);
-    for (std::size_t entry = 0; entry < dim; ++entry)
-      delta[entry] = std::bit_cast<double>(changes[1 + entry]);
-    changes = changes.subspan(1 + dim);
+    delta.resize(changes[1]);
+    for (std::size_t entry = 0; entry < delta.size(); ++entry)
+      delta[entry] = std::bit_cast<double>(changes[kHeader + entry]);
+    changes = changes.subspan(kHeader + delta.size());
+    if (!vertex && is_part_) continue;
+    if (!vertex || static_cast<std::size_t>(graph_.tangent_dim(*vertex)) != delta.size())
+      throw InvalidArgument(
+          "the file has changed since the estimates were computed, so they cannot be applied");
     if (has_changed_[vertex->pool][vertex->slot]) continue;
     has_changed_[vertex->pool][vertex->slot] = true;
     constexpr std::array<std::uint32_t, 1> kFirst{0};

@@ -2,6 +2,7 @@
 // Collects the estimates of all processes in the graph of the first one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,7 +16,8 @@ namespace boxplus::app {
 class Results {
  public:
   Results(const Graph& graph, std::span<const EdgeRef> own_edges);
-  /// Of each of these vertices that has moved: its id, and the δ for which before ⊞ δ is its estimate.
+  /// Of each of these vertices that has moved: its id, its size, and the δ for which before ⊞ δ is its
+  /// estimate.
   std::vector<std::uint64_t> changes(const Graph& graph) const;
 
  private:
@@ -29,7 +31,10 @@ class Results {
 /// Applies the changes of all processes to a graph with the estimates before the run.
 class ChangedGraph {
  public:
-  explicit ChangedGraph(Graph& graph);
+  static constexpr std::size_t kHeader = 2;  ///< the words of a change before δ: id and size
+
+  /// `is_part`: changes of vertices that the graph does not have are left out.
+  explicit ChangedGraph(Graph& graph, bool is_part = false);
   /// Applies the changes of one process. Leaves out vertices that have changed already, because a vertex of
   /// several processes has the same change in all of them. Throws InvalidArgument if the graph is another
   /// one.
@@ -37,6 +42,7 @@ class ChangedGraph {
 
  private:
   Graph& graph_;
+  bool is_part_;
   std::vector<std::vector<bool>> has_changed_;  // by vertex pool and slot
 };
 

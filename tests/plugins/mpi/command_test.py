@@ -89,15 +89,36 @@ class MpiCommandTest(CommandCase):
         of_one, of_four = (memory(n, street) - memory(n, tiny) for n in (1, 4))
         self.assertLess(of_four, 0.35 * of_one)
 
-    def test_ends_soon_if_a_process_is_killed(self):
+    def test_goes_on_from_a_checkpoint(self):
+        checkpoint = self.path / "checkpoint"
+        for graph, start in ((self.simulated("street.bal", "ba", "--cameras", 40, "--points", 1000), ()),
+                             (self.simulated("sphere.g2o", "sphere", "--poses", 400), ("--start", "odometry"))):
+            expected = self.report_of(3, graph, *start)
+            stopped = self.run_mpi(3, "optimize", graph, "--quiet", "--json", self.path / "stopped.json", *start,
+                                   "--iterations", 3, "--checkpoint", checkpoint, "--checkpoint-every", 2)
+            self.assertEqual(stopped.returncode, 1, stopped.stderr)
+            reached = json.loads((self.path / "stopped.json").read_text(encoding="utf-8"))["chi2_final"]
+            output = self.path / ("optimized" + graph.suffix)
+            for processes in (1, 3):
+                report = self.report_of(processes, graph, "--restart", checkpoint, "-o", output)
+                self.assertAlmostEqual(report["chi2_initial"] / reached, 1, delta=1e-9)
+                self.assertAlmostEqual(report["chi2_final"] / expected["chi2_final"], 1, delta=1e-9)
+                again = run("optimize", output, "--iterations", 0, "--quiet", "--json", "-")
+                self.assertAlmostEqual(json.loads(again.stdout)["chi2_final"] / report["chi2_final"], 1, delta=1e-9)
+
+    def test_leaves_the_last_checkpoint_if_a_process_is_killed(self):
         street = self.simulated("street.bal", "ba", "--cameras", 100, "--points", 60000)
-        words = [*MPIRUN, "-n", "3", BOXPLUS_MPI, "optimize", str(street), "--verbose"]
+        checkpoint = self.path / "checkpoint"
+        words = [*MPIRUN, "-n", "3", BOXPLUS_MPI, "optimize", str(street), "--verbose",
+                 "--checkpoint", str(checkpoint), "--checkpoint-every", "1"]
         with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8") as start:
-            self.assertIn("iteration", start.stderr.readline())
+            lines = [start.stderr.readline() for _ in range(2)]
+            self.assertIn("iteration   2", lines[-1])
             os.kill(self.children(start.pid)[-1], signal.SIGKILL)
             _, messages = start.communicate(timeout=20)
         self.assertNotEqual(start.returncode, 0)
         self.assertIn("signal 9", messages)
+        self.assertLessEqual(self.report_of(2, street, "--restart", checkpoint)["chi2_initial"], 1.001 * float(lines[0].split()[3]))
 
     def children(self, parent):
         """The processes that a process has started, and that still run."""
@@ -115,7 +136,10 @@ class MpiCommandTest(CommandCase):
 
     def test_ends_with_one_message_and_the_same_exit_code_as_one_process(self):
         broken = self.written("broken.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 0\n")
+        sphere = self.simulated("sphere.g2o", "sphere", "--poses", 100)
         for arguments, text in ((("optimize", broken), "broken.g2o:2"),
+                                (("optimize", sphere, "--checkpoint", "/dev/full"), "/dev/full"),
+                                (("optimize", sphere, "--restart", sphere), "expected a checkpoint of this problem"),
                                 (("optimize", self.path / "missing.g2o"), "missing.g2o"),
                                 (("optimize", broken, "--certify"), "--certify"),
                                 (("optimize",), "FILE")):
