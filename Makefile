@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 600
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize arm64 arm64-light sanitize-changes tidy tidy-changes format check house fuzz page page-check ci ci-full install packages clean
+.PHONY: help setup build python demo test bench dev asan ubsan tsan sanitize arm64 arm64-light libcxx sanitize-changes tidy tidy-changes format check house fuzz page page-check ci ci-full install packages clean
 
 help: ## this list
 	@sed -n 's/^\([a-z0-9]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -86,6 +86,12 @@ arm64-light: setup ## builds the library for 64-bit ARM, and runs the tests of t
 	@cmake --preset arm64-light
 	@cmake --build --preset arm64-light --parallel $(JOBS) --target kernels_test graph_optimum
 	@ctest --preset arm64-light --parallel $(JOBS)
+
+libcxx: setup ## builds with clang++ and libc++, and runs the core suites and the command on the public graphs
+	@scripts/install_dependencies.sh scripts/debian-packages-libcxx.txt
+	@cmake --preset libcxx
+	@cmake --build --preset libcxx --parallel $(JOBS) --target core_suites boxplus_command
+	@ctest --preset libcxx --parallel $(JOBS)
 
 tidy: setup ## builds with clang++ and runs clang-tidy over every source
 	@cmake --preset tidy

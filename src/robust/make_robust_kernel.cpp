@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <system_error>
 
+#include "base/number_from_chars.h"
 #include "boxplus/base/error.h"
 #include "boxplus/robust/barron.h"
 #include "boxplus/robust/default_width.h"
@@ -37,7 +37,7 @@ std::unique_ptr<RobustKernel> make(std::string_view /*parameter*/, double delta)
 
 std::unique_ptr<RobustKernel> make_barron(std::string_view shape, double delta) {
   double alpha = 0;
-  const auto [end, error] = std::from_chars(shape.data(), shape.data() + shape.size(), alpha);
+  const auto [end, error] = number_from_chars(shape.data(), shape.data() + shape.size(), alpha);
   if (error != std::errc() || end != shape.data() + shape.size()) {
     throw InvalidArgument("robust kernel Barron: expected a number as shape in 'Barron:ALPHA', got '" +
                           std::string(shape) + "'");

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <charconv>
+#include <concepts>
 #include <string>
 #include <system_error>
+
+#include "base/number_from_chars.h"
 
 namespace boxplus {
 
@@ -12,9 +15,13 @@ namespace boxplus {
 /// text is a number that T can hold.
 template <class T>
 bool parse_number(const std::string& text, T& value) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end;
+  const char *begin = text.data(), *end = begin + text.size();
+  std::from_chars_result read{};
+  if constexpr (std::same_as<T, double>)
+    read = number_from_chars(begin, end, value);
+  else
+    read = std::from_chars(begin, end, value);
+  return read.ec == std::errc() && read.ptr == end;
 }
 
 }  // namespace boxplus

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include "base/number_from_chars.h"
 #include "boxplus/base/error.h"
 #include "command_line/message.h"
 
@@ -121,7 +121,7 @@ class PriorsParser {
     const Field& field = (*fields_)[columns_.at(name)];
     double value = 0;
     const char* const end = field.text.data() + field.text.size();
-    const auto [stop, error] = std::from_chars(field.text.data(), end, value);
+    const auto [stop, error] = number_from_chars(field.text.data(), end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
       fail(field, fmt::format("expected {}, got '{}'", name, escaped(field.text)));
     return value;

@@ -5,10 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include "base/number_from_chars.h"
 #include "boxplus/base/error.h"
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
@@ -29,8 +29,8 @@ std::optional<std::pair<double, double>> two_numbers(const std::string& text, ch
   std::pair<double, double> values;
   const char *begin = text.data(), *end = begin + text.size(), *middle = std::find(begin, end, separator);
   if (middle == end) return std::nullopt;
-  const auto first = std::from_chars(begin, middle, values.first);
-  const auto second = std::from_chars(middle + 1, end, values.second);
+  const auto first = number_from_chars(begin, middle, values.first);
+  const auto second = number_from_chars(middle + 1, end, values.second);
   const bool good = first.ec == std::errc() && first.ptr == middle && second.ec == std::errc() &&
                     second.ptr == end && std::isfinite(values.first) && std::isfinite(values.second);
   return good ? std::optional(values) : std::nullopt;

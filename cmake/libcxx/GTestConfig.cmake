@@ -1,0 +1,11 @@
+# GoogleTest from Debian's sources of it, because its libraries are compiled with libstdc++. (The preset `libcxx` has this
+# folder as GTest_DIR.)
+if(NOT TARGET GTest::gmock)
+  set(INSTALL_GTEST OFF)
+  add_subdirectory(/usr/src/googletest ${PROJECT_BINARY_DIR}/googletest EXCLUDE_FROM_ALL)
+  foreach(name gtest gtest_main gmock gmock_main)
+    if(NOT TARGET GTest::${name})
+      add_library(GTest::${name} ALIAS ${name})
+    endif()
+  endforeach()
+endif()

@@ -1,0 +1,5 @@
+# {fmt} without its library, which Debian compiles with libstdc++. (The preset `libcxx` has this folder as fmt_DIR.)
+if(NOT TARGET fmt::fmt)
+  add_library(fmt::fmt INTERFACE IMPORTED)
+  target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY=1)
+endif()
