@@ -25,6 +25,7 @@
 #include "files/interrupt.h"
 #include "files/outputs.h"
 #include "guess/start_table.h"
+#include "io/bal/bal_format.h"
 #include "memory.h"
 #include "optimize/fix_for_run.h"
 #include "optimize/optimize_options.h"
@@ -209,9 +210,9 @@ class DistributedRun {
   const std::vector<EdgeRef>& own_edges() const { return part_ ? file_->edges : options_.edges; }
 
   /// Replaces the estimates by an initial guess, which every process computes for the whole graph. There is
-  /// none for what is read in parts.
+  /// none for BAL problems, so that these need no second plan.
   bool guess(Start start) {
-    if (part_) return false;
+    if (file_->format == bal_format().name) return false;
     Graph& graph = file_->graph;
     const PlanRequest request{
         .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
