@@ -36,7 +36,7 @@ class CheckAbi(unittest.TestCase):
         folder.mkdir()
         (folder / "library.h").write_text(header)
         (folder / "library.cpp").write_text('#include "library.h"\n' + source)
-        subprocess.run(["g++", "-g", "-shared", "-fPIC", "library.cpp", "-o", "library.so"], cwd=folder, check=True)
+        subprocess.run(["g++", "-shared", "-fPIC", "library.cpp", "-o", "library.so"], cwd=folder, check=True)
         return folder / "library.so", folder
 
     def compared(self, new, new_version="1.0.1"):
@@ -48,9 +48,10 @@ class CheckAbi(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("can replace version 1.0.0", done.stdout)
 
-    def test_new_functions_and_what_is_private_are_no_break(self):
+    def test_new_functions_and_types_and_what_is_private_are_no_break(self):
         source = SOURCE.replace("int first;", "int first, second;").replace("help_stop", "help") + "int more() { return 1; }\n"
-        self.assertEqual(self.compared(self.library("new", HEADER + "int more();\n", source)).returncode, 0)
+        header = HEADER + "struct More { int first; };\nint more();\n"
+        self.assertEqual(self.compared(self.library("new", header, source)).returncode, 0)
 
     def test_a_removed_function_is_a_break(self):
         new = self.library("new", HEADER.replace("int stop();", ""), SOURCE.replace("int stop() { return 0; }", ""))
