@@ -144,6 +144,8 @@ class DistributedRun {
 
   /// Reads the part of this process if that is enough, and otherwise the whole file.
   void load() {
+    if (communicator_.size() > 1 && arguments_.input == kStandardStream)
+      throw InvalidArgument("expected a file, because only process 0 has standard input");
     if (communicator_.size() > 1 && can_use_part(arguments_))
       part_ = read_part(arguments_.input, arguments_.reading, communicator_.rank(), communicator_.size());
     file_ = part_ ? std::move(part_->file) : read_input(arguments_.input, arguments_.reading);

@@ -2,6 +2,7 @@
 #include "incremental/live_covariance.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ Eigen::MatrixXd joint_covariance(const Graph& graph, LiveProblem& problem,
     const LiveProblem::Index block = problem.block(vertex);
     const int dim = graph.tangent_dim(vertex);
     if (!problem.takes_part(vertex))
-      throw InvalidArgument("Smoother: vertex " + std::to_string(graph.id(vertex)) + " has no edges");
+      throw InvalidArgument("Smoother: vertex " + std::to_string(graph.id(vertex)) + " has no enabled edges");
     if (block != LiveProblem::kNone && problem.factor().root_of(block) == LiveProblem::kNone)
       throw InvalidArgument("Smoother: vertex " + std::to_string(graph.id(vertex)) + " is new");
     for (int i = 0; i < dim; ++i) from.push_back(block == LiveProblem::kNone ? -1 : next++);
@@ -41,8 +42,52 @@ Eigen::MatrixXd joint_covariance(const Graph& graph, LiveProblem& problem,
   return result;
 }
 
+namespace {
+
+using Index = LiveProblem::Index;
+
+/// The root of the part of the graph that a vertex is in, or kNone if it is fixed and has no part.
+Index part_of(const Graph& graph, const LiveProblem& problem, VertexRef vertex) {
+  if (problem.block(vertex) != LiveProblem::kNone) return problem.factor().root_of(problem.block(vertex));
+  if (graph.is_fixed(vertex)) return LiveProblem::kNone;
+  for (const EdgeRef& edge : graph.edges(vertex)) {  // of a vertex that is held
+    for (const VertexRef& other : graph.vertices(edge)) {
+      if (graph.is_enabled(edge) && problem.block(other) != LiveProblem::kNone)
+        return problem.factor().root_of(problem.block(other));
+    }
+  }
+  return LiveProblem::kNone;
+}
+
+}  // namespace
+
+std::optional<detail::GaugeVertex> free_part_of(const Graph& graph, const LiveProblem& problem,
+                                                EdgeRef edge) {
+  const std::vector<VertexRef> vertices = graph.vertices(edge);
+  std::vector<Index> parts;
+  bool reaches_world = vertices.size() == 1;
+  for (const VertexRef& vertex : vertices) {
+    if (graph.vertex_pools()[vertex.pool]->parameter(vertex.slot)) continue;
+    const Index part = part_of(graph, problem, vertex);
+    reaches_world = reaches_world || graph.is_fixed(vertex);
+    if (part != LiveProblem::kNone && std::find(parts.begin(), parts.end(), part) == parts.end())
+      parts.push_back(part);
+  }
+  if (parts.size() + (reaches_world ? 1 : 0) < 2) return std::nullopt;
+  for (const detail::GaugeVertex& held : problem.held()) {
+    if (std::find(parts.begin(), parts.end(), part_of(graph, problem, held.vertex)) != parts.end())
+      return held;
+  }
+  return std::nullopt;
+}
+
 EdgePreview preview_edge(const Graph& graph, LiveProblem& problem, EdgeRef edge) {
   const std::vector<VertexRef> vertices = graph.vertices(edge);
+  if (const auto held = free_part_of(graph, problem, edge)) {
+    throw InvalidArgument(
+        "Smoother: an edge may cost nothing if it joins a part of the graph in which only vertex " +
+        std::to_string(held->id) + " is held: expected an edge within one part");
+  }
   const Eigen::MatrixXd sigma = joint_covariance(graph, problem, vertices);
   const std::vector<Eigen::MatrixXd> blocks = graph.jacobian(edge);
   const std::vector<double> values = graph.error(edge);

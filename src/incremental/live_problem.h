@@ -90,6 +90,7 @@ class LiveProblem {
   void marginalize(std::span<const VertexRef> vertices);
 
   IncrementalFactor& factor() { return factor_; }
+  const IncrementalFactor& factor() const { return factor_; }
   VertexRef vertex(Index block) const { return vertex_of_[block]; }
   /// The block of a vertex, or kNone.
   Index block(VertexRef vertex) const;

@@ -184,8 +184,9 @@ class Smoother::Impl {
     return true;
   }
 
-  /// Whether a vertex of the edge has no other edge that takes part.
+  /// Whether a vertex of the edge has no other edge that takes part, or the edge joins parts of the graph.
   bool needs(EdgeRef edge) const {
+    if (free_part_of(graph_, *problem_, edge)) return true;
     for (const VertexRef& vertex : graph_.vertices(edge)) {
       if (!problem_->takes_part(vertex)) return true;
     }

@@ -3,8 +3,10 @@
 """Tests `boxplus replay`, which optimizes a graph step by step."""
 
 import json
+import signal
+import subprocess
 
-from command_case import CommandCase, main, run
+from command_case import BOXPLUS, CommandCase, main, run
 
 class ReplayTest(CommandCase):
     def simulated(self, world, *options):
@@ -112,12 +114,35 @@ class ReplayTest(CommandCase):
         self.assertLess(abs(facts["chi2_final"] - expected["chi2_final"]), 1e-6 * expected["chi2_final"])
         self.assertLess(self.optimized(out)["iterations"], 4)
 
-    def test_a_wrong_command_is_named_and_nothing_is_written(self):
+    def test_a_wrong_command_is_named_and_the_map_so_far_is_written(self):
         out = self.path / "out.g2o"
-        done = run("replay", "--online", "-o", out, stdin="ADD VERTEX_XYT 1;\nADD EDGE_XYT 1 1 x;")
+        done = run("replay", "--online", "-o", out, stdin="ADD EDGE_XYT 1 2 1 0 0 1 0 0 1 0 1;\nADD EDGE_XYT 1 1 x;")
         self.assertEqual(done.returncode, 2)
         self.assertIn("<stdin>:2:", done.stderr)
-        self.assertFalse(out.exists())
+        self.assertEqual(out.read_text().count("VERTEX_SE2"), 2)
+
+    def test_an_interrupted_robot_leaves_its_map(self):
+        out, report = self.path / "out.g2o", self.path / "report.json"
+        process = subprocess.Popen([BOXPLUS, "replay", "--online", "-o", out, "--json", report], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process.stdin.write("ADD EDGE_XYT 1 2 1 0 0 1 0 0 1 0 1; SOLVE_STATE; QUERY_STATE 1; ADD VERTEX_XYT")
+        process.stdin.flush()
+        self.assertEqual(process.stdout.readline(), "BEGIN\n")
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=60), 1)
+        process.stdin.close()
+        process.stdout.close()
+        process.stderr.close()
+        facts = json.loads(report.read_text())
+        self.assertEqual((facts["converged"], facts["reason"]), (False, "interrupted"))
+        self.assertTrue(out.exists())
+
+    def test_the_format_of_an_online_map_is_checked_before_the_drive(self):
+        self.assertEqual(run("replay", "--online", "-o", self.path / "map.ply", stdin="").returncode, 2)
+        done = run("replay", "--online", "-o", self.path / "map.ply", stdin="ADD EDGE_XYT 1 2 1 0 0 1 0 0 1 0 1;")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(run("replay", "--online", "-o", self.path / "map.bal", stdin="").returncode, 2)
+        self.assertEqual(run("replay", "--online", "--lenient", stdin="").returncode, 2)
 
     def test_answers_and_the_report_cannot_share_standard_output(self):
         self.assertEqual(run("replay", "--online", "--json", "-").returncode, 2)

@@ -73,6 +73,28 @@ TEST(Smoother, TreatsADisabledEdgeAsIfItWereNotThere) {
   EXPECT_EQ(smoother.update().held.size(), 2U);
 }
 
+TEST(Smoother, HasNoPreviewOfAnEdgeThatMayMoveAWholePart) {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  for (const double x : {0, 1, 9, 10}) poses.push_back(graph.add_vertex(SE2(x, x > 5 ? 9 : 0, 0)));
+  graph.fix(poses[0]);
+  graph.add_edge(Between(SE2(1, 0, 0)), 100.0, poses[0], poses[1]);
+  graph.add_edge(Between(SE2(1, 0, 0)), 100.0, poses[2], poses[3]);
+  Smoother smoother(graph);
+  EXPECT_EQ(smoother.update().held.size(), 1U);
+  const auto joins = graph.add_edge(Between(SE2(4, 0, 0)), 100.0, poses[1], poses[3]);
+  const auto places = graph.add_edge(Prior(SE2(4, 0, 0)), 100.0, poses[3]);
+  const auto within = graph.add_edge(Between(SE2(1, 0, 0)), 100.0, poses[2], poses[3]);
+  for (const EdgeRef edge : {EdgeRef(joins), EdgeRef(places), EdgeRef(within)})
+    graph.set_enabled(edge, false);
+  EXPECT_THROW(static_cast<void>(smoother.preview(joins)), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(smoother.preview(places)), InvalidArgument);
+  EXPECT_NEAR(smoother.preview(within).chi2_increase, 0, 1e-9);
+  graph.set_enabled(joins, true);
+  EXPECT_TRUE(smoother.finish().converged());
+  EXPECT_NEAR(graph.chi2(), 0, 1e-9);
+}
+
 TEST(Smoother, LeavesAVertexOutAsLongAsItsEdgesDoNotDetermineIt) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2());

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/optimize/optimizer.h"
+#include "boxplus/types/slam2d.h"
 #include "command.h"
 #include "command_line/message.h"
 #include "command_line/option_kinds.h"
@@ -32,9 +34,11 @@ constexpr const char* kReplayFooter =
     "it brings all estimates to the optimum (docs/live.md). A new pose begins where its first edge puts\n"
     "it. After the last step, the estimates are brought to the optimum to the last digits.\n"
     "\n"
-    "With --online, the graph comes from standard input, in the protocol of g2o_online, as a robot sends\n"
-    "it: ADD VERTEX_XYT id; ADD EDGE_XYT from to x y theta information; the same with XYZRPY; FIX id;\n"
-    "SOLVE_STATE; and QUERY_STATE, whose answers go to standard output. SOLVE_STATE is a step.\n"
+    "With --online, the graph comes from standard input, in the protocol of g2o_online, as a robot\n"
+    "sends it: ADD VERTEX_XYT id; ADD EDGE_XYT from to x y theta information; the same with XYZRPY;\n"
+    "FIX id; SOLVE_STATE; and QUERY_STATE, whose answers go to standard output. SOLVE_STATE is a step.\n"
+    "If a command is wrong, or nobody reads the answers any more, the map so far is still written, with\n"
+    "exit code 2.\n"
     "\n"
     "Examples:\n"
     "  boxplus replay drive.g2o -o map.g2o\n"
@@ -82,7 +86,8 @@ double median(std::vector<double> values) {
 /// The result of a replay.
 struct Outcome {
   SmootherReport last;
-  bool is_whole = true;  // nobody has ended it early
+  bool is_whole = true;     // nobody has ended it early
+  bool is_refused = false;  // a command was wrong, or an answer could not be written
   double chi2 = 0, worst_s = 0, median_s = 0;
   std::size_t worst_step = 0, failures = 0, aside = 0;
   std::vector<Excess> excesses;
@@ -145,16 +150,22 @@ Outcome run_online(const ReplayArguments& arguments, Graph& graph, Replay& repla
   Outcome outcome;
   bool is_shown = view == nullptr;
   if (view != nullptr) view->wait_for_page();
-  serve_commands(graph, {.solve =
-                             [&] {
-                               step(arguments, graph, replay, outcome);
-                               if (view != nullptr) view->follow(), is_shown = false;
-                             },
-                         .answer = [](std::string_view text) { write_output(kStandardStream, text); },
-                         .idle =
-                             [&] {
-                               if (!std::exchange(is_shown, true)) view->show();
-                             }});
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is a write error
+  try {
+    serve_commands(graph, {.solve =
+                               [&] {
+                                 step(arguments, graph, replay, outcome);
+                                 if (view != nullptr) view->follow(), is_shown = false;
+                               },
+                           .answer = [](std::string_view text) { write_output(kStandardStream, text); },
+                           .idle =
+                               [&] {
+                                 if (!std::exchange(is_shown, true)) view->show();
+                               }});
+  } catch (const Error& error) {  // the map so far is worth keeping
+    print_message(error.what());
+    outcome.is_refused = true;
+  }
   outcome.is_whole = !Interrupt::raised();
   return outcome;
 }
@@ -180,8 +191,8 @@ std::string json_of(const ReplayArguments& arguments, const Replay& replay, cons
       {"steps", replay.done()},
       {"vertices", outcome.last.vertices},
       {"edges", outcome.last.edges},
-      {"converged", outcome.last.converged()},
-      {"reason", to_string(outcome.last.reason)},
+      {"converged", outcome.last.converged() && outcome.is_whole},
+      {"reason", outcome.is_whole ? to_string(outcome.last.reason) : "interrupted"},
       {"chi2_final", outcome.chi2},
       {"iterations", totals.iterations},
       {"relinearized_edges", totals.relinearized},
@@ -207,7 +218,7 @@ std::string summary(const ReplayArguments& arguments, const Replay& replay, cons
       "{} steps: {}, chi2 {:.9g}\n"
       "time     {:.3f} s in total, {:.1f} us in the median, {:.2f} ms in the worst step ({})\n"
       "work     {} iterations, {} linearized edges, {} fronts, {} moved vertices, {:.3f} Gflop\n",
-      replay.done(), outcome.last.converged() ? "converged" : to_string(outcome.last.reason), outcome.chi2,
+      replay.done(), outcome.is_whole ? to_string(outcome.last.reason) : "interrupted", outcome.chi2,
       totals.seconds, 1e6 * outcome.median_s, 1e3 * outcome.worst_s, outcome.worst_step, totals.iterations,
       totals.relinearized, totals.refactored, totals.moved, 1e-9 * totals.flops);
   if (arguments.options.sets_outliers_aside)
@@ -235,6 +246,14 @@ std::string chart_of(const ReplayArguments& arguments, const Replay& replay, con
   return draw_time_chart(replay.seconds(), input_name(arguments.input), facts, format);
 }
 
+/// A graph of the types that the protocol has.
+GraphFile sample_of_protocol() {
+  GraphFile file;
+  const auto a = file.graph.add_vertex(SE2()), b = file.graph.add_vertex(SE2(1, 0, 0));
+  file.graph.add_edge(Between(SE2(1, 0, 0)), 1.0, a, b);
+  return file;
+}
+
 int replay_file(const ReplayArguments& arguments) {
   const std::vector<Output> outputs{graph_output("--output", arguments.output, arguments.input),
                                     {"--json", arguments.json},
@@ -247,7 +266,8 @@ int replay_file(const ReplayArguments& arguments) {
   GraphFile file;
   if (!arguments.online) file = read_input(arguments.input, arguments.reading, arguments.quiet);
   print_notes(file, arguments.input);
-  if (!arguments.output.empty()) require_representable(arguments.output, file);
+  if (!arguments.output.empty())
+    require_representable(arguments.output, arguments.online ? sample_of_protocol() : file);
   std::optional<FileFeed> feed;
   if (!arguments.online) feed.emplace(file.graph);
   Replay replay(file.graph, arguments.options);
@@ -265,7 +285,10 @@ int replay_file(const ReplayArguments& arguments) {
   if (!arguments.output.empty()) save_graph(arguments.output, file, {}, arguments.quiet);
   if (!arguments.quiet) print_summary(outputs, summary(arguments, replay, outcome));
   const bool is_good = outcome.last.converged() && outcome.is_whole;
-  const int code = !outcome.last.message.empty() ? kNumericalFailure : is_good ? kSuccess : kNotConverged;
+  const int code = outcome.is_refused              ? kBadInput
+                   : !outcome.last.message.empty() ? kNumericalFailure
+                   : is_good                       ? kSuccess
+                                                   : kNotConverged;
   if (view) view->serve(code);
   return code;
 }
@@ -273,10 +296,11 @@ int replay_file(const ReplayArguments& arguments) {
 void add_options(CLI::App& command, ReplayArguments& arguments) {
   CLI::Option* const file =
       command.add_option("FILE", arguments.input, "The graph, or - for standard input")->check(file_name());
-  command
-      .add_flag("--online", arguments.online,
-                "Instead of FILE, execute commands of standard input as they arrive, and answer")
-      ->excludes(file);
+  CLI::Option* const online =
+      command
+          .add_flag("--online", arguments.online,
+                    "Instead of FILE, execute commands of standard input as they arrive, and answer")
+          ->excludes(file);
   command.add_option("-o,--output", arguments.output, "Write the result to this file")->check(file_name());
   command.add_option("--json", arguments.json, "Write a report to this file, or - for standard output")
       ->check(file_name());
@@ -313,6 +337,8 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
                    "Set false loop closures aside, and take them back");
   command.add_flag("-q,--quiet", arguments.quiet, "Print no summary");
   add_reading_options(command, arguments.reading);
+  for (const char* const option : {"--lenient", "--rename", "--information"})
+    online->excludes(command.get_option(option));
   CLI::Option* const view = command.add_flag(
       "--view", arguments.view, "Wait for a browser, show it each step, and serve the page until Ctrl-C");
   view->group("View");

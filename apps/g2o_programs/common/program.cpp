@@ -45,12 +45,16 @@ int run_program(const char* name, detail::FunctionRef<int()> body) {
   }
 }
 
+void print_error(std::string_view line) {
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
 void print_message(std::string_view text) {
-  fmt::print(stderr, "{}: {}\n", program_name, escaped(text));
+  print_error(fmt::format("{}: {}\n", program_name, escaped(text)));
 }
 
 void print_remark(std::string_view text) {
-  fmt::print(stderr, "# {}\n", escaped(text));
+  print_error(fmt::format("# {}\n", escaped(text)));
 }
 
 void print_output(std::string_view text) {

@@ -17,6 +17,8 @@ enum ExitCode : int { kSuccess = 0, kBadFile = 1, kBadInput = 2 };
 /// malformed input, and otherwise kBadFile.
 int run_program(const char* name, detail::FunctionRef<int()> body);
 
+/// Writes to standard error, if possible.
+void print_error(std::string_view line);
 /// Writes "NAME: TEXT" and a line break to standard error. Control characters are escaped.
 void print_message(std::string_view text);
 /// Writes "# TEXT" and a line break to standard error.

@@ -42,12 +42,11 @@ void GrowingRun::finish() {
 void GrowingRun::print(const char* work) const {
   const IncrementalSolver::Summary& report = solver_.summary();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  fmt::print(
-      stderr,
+  print_error(fmt::format(
       "{}\t vertices= {}\t edges= {}\t chi2= {:.6g}\t iterations= {}\t moved= {}\t time= {:.6f}\t cumTime= "
       "{:.6f}\n",
       work, graph_.vertex_count(), graph_.edge_count(), report.chi2, report.iterations, report.moved,
-      report.time_s, elapsed.count());
+      report.time_s, elapsed.count()));
 }
 
 void serve_protocol(Graph& graph, GrowingRun& run) {

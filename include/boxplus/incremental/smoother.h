@@ -56,7 +56,8 @@ class Smoother {
   }
   /// What an edge would cost and change, without any effect. Add the edge and disable it
   /// (Graph::set_enabled), look, and then enable or remove it. Its vertices must have other edges. The kernel
-  /// does not count. Throws InvalidArgument as covariance() does.
+  /// does not count. Throws InvalidArgument as covariance() does, and if the edge joins a part of the graph
+  /// that nothing anchors with something else: it may move this part, and then costs nothing.
   EdgePreview preview(EdgeRef edge) const;
   /// All loop closures that are set aside.
   std::vector<EdgeRef> set_aside() const;

@@ -68,6 +68,12 @@ class ProtocolTest(ProgramCase):
         self.assert_refused(run("g2o_online", stdin="\x1b[2J 1;"), 2, r"<stdin>:1:1: expected ADD", r"got '\x1b[2J'")
         self.assert_refused(run("g2o_online", stdin="SOLVE_STATE"), 2, "<stdin>:1:12: expected a ; after the command")
 
+    def test_a_full_standard_error_does_not_end_it(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            process = subprocess.run([FOLDER / "g2o_online"], input=COMMANDS, stdout=subprocess.PIPE, stderr=full, text=True,
+                                     check=False)
+        self.assertEqual(process.returncode, 0)
+
     def test_after_an_error_nothing_is_written(self):
         output = self.path / "out.g2o"
         self.assert_refused(run("g2o_incremental", "-o", output, stdin=COMMANDS + "FIX 9;"), 2, "there is no vertex 9")
