@@ -26,7 +26,8 @@ class Road {
  public:
   Road(unsigned seed, std::size_t lag) : random_(seed), smoother_(graph_, {.lag = lag}) {
     add_pose(SE2());
-    graph_.add_edge(Prior(SE2()), 1e4, pose_);
+    const SE2 start(noise(kStart), noise(kStart), noise(kStart));
+    graph_.add_edge(Prior(start), 1 / (kStart * kStart), pose_);
   }
 
   SmootherReport step() {
@@ -47,7 +48,7 @@ class Road {
   const Graph& graph() const { return graph_; }
 
  private:
-  static constexpr double kTurn = 2e-3, kMotion = 0.02, kTurnNoise = 0.002, kSeen = 0.1;
+  static constexpr double kTurn = 2e-3, kMotion = 0.02, kTurnNoise = 0.002, kSeen = 0.1, kStart = 0.01;
   struct Landmark {
     Vector2 place;
     VertexHandle<Vector2> vertex;
