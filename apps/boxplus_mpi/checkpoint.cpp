@@ -2,6 +2,7 @@
 #include "checkpoint.h"
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <vector>
@@ -47,8 +48,10 @@ void apply_checkpoint(const std::string& path, std::uint64_t edges, ChangedGraph
   std::array<std::uint64_t, 3> header{};
   read(file, header);
   require(header[0] == kFormat && header[1] == edges);
+  require(std::filesystem::file_size(path) / sizeof(std::uint64_t) == header.size() + header[2]);
   std::vector<std::uint64_t> change;
   for (std::uint64_t words = header[2]; words > 0; words -= change.size()) {
+    require(words >= ChangedGraph::kHeader);
     change.resize(ChangedGraph::kHeader);
     read(file, change);
     require(change[1] <= words - change.size());

@@ -24,6 +24,7 @@
 #include "datasets/cpu_time.h"
 #include "datasets/median.h"
 #include "incremental/road.h"
+#include "replay/file_feed.h"
 #include "replay/replay_run.h"
 
 namespace boxplus::bench {

@@ -11,7 +11,7 @@
 namespace boxplus {
 
 /// As long as this object exists, operands and results of this thread that are subnormal are zero, and so are
-/// those of its parallel_tasks(). Processors need about a hundred times as long for them. They appear in
+/// those of its parallel_tasks(). Processors are many times slower with them. They appear in
 /// factors in float if robust kernels weight some edges by less than 1e-38.
 class FlushSubnormals {
  public:

@@ -22,6 +22,7 @@
 #include "files/interrupt.h"
 #include "files/outputs.h"
 #include "protocol/serve_commands.h"
+#include "replay/file_feed.h"
 #include "replay/replay_run.h"
 #include "replay/time_chart.h"
 #include "view/live_view.h"

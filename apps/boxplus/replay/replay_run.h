@@ -8,7 +8,6 @@
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/incremental/smoother.h"
-#include "guess/placement.h"
 
 namespace boxplus::app {
 
@@ -44,25 +43,6 @@ class Replay {
   Smoother smoother_;
   std::vector<double> seconds_;
   Totals totals_;
-};
-
-/// Lets the vertices of a graph take part one by one, as a robot would add them. Step k adds the vertex with
-/// the k-th lowest id, and the edges between it and vertices before it. Until then, an edge has level 1, so
-/// that it takes no part. A new pose or point begins where its first edge puts it; the estimates of the file
-/// do not count, except those of fixed vertices.
-class FileFeed {
- public:
-  /// `graph` must outlive this object.
-  explicit FileFeed(Graph& graph);
-
-  std::size_t steps() const { return vertices_.size(); }
-  void add(std::size_t step);
-
- private:
-  Graph& graph_;
-  std::vector<VertexRef> vertices_;
-  std::vector<std::vector<EdgeRef>> edges_;  // of each step
-  Placement placement_;
 };
 
 }  // namespace boxplus::app
