@@ -6,7 +6,7 @@
 namespace boxplus::app {
 
 SmootherReport Replay::step() {
-  const SmootherReport report = count(smoother_.update());
+  SmootherReport report = count(smoother_.update());
   seconds_.push_back(report.time_s);
   return report;
 }
