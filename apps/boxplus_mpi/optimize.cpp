@@ -31,6 +31,7 @@
 #include "optimize/optimize_options.h"
 #include "optimize/optimize_report.h"
 #include "optimize/optimize_run.h"
+#include "optimize/petsc_plugin.h"
 #include "optimize/report_json.h"
 #include "optimize/run_steps.h"
 #include "plan/active_set.h"
@@ -57,16 +58,17 @@ struct Distribution {
   std::uint64_t sent_per_iteration = 0;
 };
 
-std::string distribution_text(const Distribution& distribution) {
+std::string distribution_text(const Distribution& distribution, bool is_divided) {
   constexpr double kMebi = 1 << 20;
   std::string memory;
   for (const std::uint64_t bytes : distribution.peak_bytes)
     memory += fmt::format("{}{:.1f}", memory.empty() ? "" : ", ", static_cast<double>(bytes) / kMebi);
   return fmt::format(
-      "\n{} process{} shared the problem; each solved for all {} vertices that are not eliminated.\n"
+      "\n{} process{} shared the problem{} {} vertices that are not eliminated.\n"
       "Peak memory per process: {} MiB. Sent per iteration: {:.2f} MiB in all.\n",
-      distribution.report.processes, distribution.report.processes == 1 ? "" : "es", distribution.report.kept,
-      memory, static_cast<double>(distribution.sent_per_iteration) / kMebi);
+      distribution.report.processes, distribution.report.processes == 1 ? "" : "es",
+      is_divided ? ", and the system of the" : "; each solved for all", distribution.report.kept, memory,
+      static_cast<double>(distribution.sent_per_iteration) / kMebi);
 }
 
 /// The report of `boxplus optimize`, with a member for the processes.
@@ -79,6 +81,13 @@ std::string distributed_json(const Distribution& distribution, const RunFacts& f
                           {"sent_bytes", distribution.report.all_sent_bytes},
                           {"sent_bytes_per_iteration", distribution.sent_per_iteration}};
   return json.dump(2) + "\n";
+}
+
+/// A solver of PETSc that divides the system of the kept vertices among the processes.
+std::shared_ptr<LinearSolver> load_divided_solver(const std::string& options) {
+  void* const make = find_in_petsc_plugin("boxplus_divided_petsc_solver");
+  return std::shared_ptr<LinearSolver>(
+      reinterpret_cast<LinearSolver* (*)(MPI_Comm, const char*)>(make)(MPI_COMM_WORLD, options.c_str()));
 }
 
 /// Whether nothing depends on vertices and edges that only other processes have.
@@ -158,6 +167,7 @@ class DistributedRun {
     Graph& graph = file_->graph;
     fixed_.emplace(graph, arguments_);
     options_ = arguments_.options;
+    if (arguments_.petsc) options_.custom_linear_solver = load_divided_solver(*arguments_.petsc);
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
     PlanRequest request{.level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
     const Gauge gauge = find_active_set(graph, request).gauge;
@@ -267,7 +277,7 @@ class DistributedRun {
     if (!arguments_.json.empty()) write_output(arguments_.json, distributed_json(distribution_, facts_));
     if (!arguments_.quiet) {
       print_report(report, facts_, arguments_);
-      print_summary(outputs_of(arguments_), distribution_text(distribution_));
+      print_summary(outputs_of(arguments_), distribution_text(distribution_, arguments_.petsc.has_value()));
     }
     print_why_stopped(report, facts_, arguments_);
     return refusal;
@@ -318,13 +328,14 @@ void add_distributed_optimize(CLI::App& app, Action& action, mpi::Communicator& 
   CLI::App* command =
       app.add_subcommand("optimize", "Moves the vertices of a graph to minimize the errors of its edges");
   add_optimize_options(*command, *arguments);
-  for (const char* option : {"--outliers", "--write-outliers", "--remove-outliers", "--certify", "--petsc",
+  for (const char* option : {"--outliers", "--write-outliers", "--remove-outliers", "--certify",
                              "--position-priors", "--view", "--port", "--host", "--open"})
     command->remove_option(command->get_option(option));
   add_checkpoint_options(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  mpirun -n 4 boxplus-mpi optimize scene.bal -o optimized.bal\n"
+      "  mpirun -n 4 boxplus-mpi optimize scene.bal --petsc ''\n"
       "  mpirun -n 4 boxplus-mpi optimize scene.bal --checkpoint scene.checkpoint\n"
       "  mpirun -n 4 boxplus-mpi optimize scene.bal --restart scene.checkpoint\n"
       "\n"

@@ -11,7 +11,7 @@ namespace {
 
 /// The request. Asks to store all columns if the solver needs an operator instead of a Schur complement.
 PlanRequest with_columns(PlanRequest request, const LinearSolver& solver, SchurMode schur) {
-  if (schur != SchurMode::kExplicit && solver.needs() != LinearSolver::Needs::kBlocks)
+  if (schur != SchurMode::kExplicit && solver.needs() == LinearSolver::Needs::kOperator)
     request.columns = ColumnStorage::kAll;
   return request;
 }

@@ -5,11 +5,11 @@
 #include <Eigen/Cholesky>
 #include <cstddef>
 #include <deque>
-#include <random>
 #include <vector>
 
 #include "boxplus/incremental/smoother.h"
 #include "boxplus/types/slam2d.h"
+#include "testing/random_numbers.h"
 
 namespace boxplus {
 
@@ -55,14 +55,14 @@ class Road {
     bool is_known = false;
   };
 
-  double noise(double sigma) { return sigma * std::normal_distribution<>()(random_); }
+  double noise(double sigma) { return sigma * random_.normal(); }
 
   void add_pose(const SE2& guess) {
     pose_ = graph_.add_vertex(guess);
     // Two new landmarks ahead, one on each side of the road.
     for (const double side : {-6.0, 6.0}) {
       const Vector2 local(12 + noise(1), side + noise(1));
-      if (std::bernoulli_distribution(0.3)(random_)) landmarks_.push_back({truth_ * local, {}, false});
+      if (random_.uniform() < 0.3) landmarks_.push_back({truth_ * local, {}, false});
     }
     while (!landmarks_.empty() && truth_.inverse_times(landmarks_.front().place)[0] < -12)
       landmarks_.pop_front();
@@ -80,7 +80,7 @@ class Road {
     }
   }
 
-  std::mt19937_64 random_;
+  RandomNumbers random_;
   Graph graph_;
   Smoother smoother_;
   SE2 truth_;

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <unordered_map>
 
 #include "boxplus/testing/simulate_inertial.h"
@@ -13,6 +12,7 @@
 #include "boxplus/types/slam3d.h"
 #include "incremental/road.h"
 #include "sanitized.h"
+#include "testing/random_numbers.h"
 
 namespace boxplus {
 namespace {
@@ -47,7 +47,7 @@ class Flight {
     const InertialState& first = data_.keyframes[0].true_state;
     constexpr double kVelocity = 0.2;
     Vector3 velocity = first.velocity;
-    for (double& v : velocity) v += kVelocity * normal_(random_);
+    for (double& v : velocity) v += kVelocity * random_.normal();
     add_state(0, {first.pose, velocity}, ImuBias::Zero());
     graph_.add_edge(Prior(first.pose), 1e8, pose_);
     graph_.add_edge(Prior(velocity), 1 / (kVelocity * kVelocity), velocity_);
@@ -107,7 +107,7 @@ class Flight {
   void add_sighting(int landmark, const SE3& true_pose) {
     Vector3 seen = (true_pose * data_.camera_pose)
                        .inverse_times(data_.true_landmarks[static_cast<std::size_t>(landmark)]);
-    for (double& coordinate : seen) coordinate += kSeen * normal_(random_);
+    for (double& coordinate : seen) coordinate += kSeen * random_.normal();
     auto known = landmarks_.find(landmark);
     if (known == landmarks_.end() || !graph_.contains(known->second)) {
       const Vector3 guess = graph_.estimate(pose_) * data_.camera_pose * seen;
@@ -117,8 +117,7 @@ class Flight {
   }
 
   const InertialSimulation data_;
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
+  RandomNumbers random_;
   Graph graph_;
   VertexHandle<SE3> mount_;
   Smoother smoother_;

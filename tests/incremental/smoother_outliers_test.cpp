@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <random>
 #include <vector>
 
 #include "boxplus/incremental/smoother.h"
@@ -11,6 +10,7 @@
 #include "boxplus/types/slam2d.h"
 #include "guess/placement.h"
 #include "incremental/drive.h"
+#include "testing/random_numbers.h"
 
 namespace boxplus {
 namespace {
@@ -63,15 +63,15 @@ TEST(Smoother, SetsFalseClosuresAsideAsTheSearchOfTheWholeGraphDoes) {
 
 TEST(Smoother, TakesAClosureBackIfLaterOnesSpeakForIt) {
   // The noise is five times what Ω says, so that the first closures seem false.
-  std::mt19937 random(1);
-  std::normal_distribution<> noise(0, 0.05);
+  RandomNumbers random(1);
+  const auto noise = [&] { return 0.05 * random.normal(); };
   Graph graph;
   Smoother smoother(graph, {.sets_outliers_aside = true});
   std::vector<VertexHandle<SE2>> poses;
   constexpr int kLap = 40;
   std::size_t aside = 0, back = 0;
   const auto add = [&](const SE2& motion, std::size_t from) {
-    const SE2 measured = motion * SE2(noise(random), noise(random), 0.1 * noise(random));
+    const SE2 measured = motion * SE2(noise(), noise(), 0.1 * noise());
     if (from == poses.size()) poses.push_back(graph.add_vertex(graph.estimate(poses.back()) * measured));
     const auto first = from + 1 == poses.size() ? poses[poses.size() - 2] : poses[from];
     graph.add_edge(Between(measured), 1e4, first, poses.back());

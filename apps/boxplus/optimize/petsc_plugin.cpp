@@ -27,7 +27,7 @@ fs::path find_plugin() {
 
 }  // namespace
 
-std::shared_ptr<LinearSolver> load_petsc_solver(const std::string& options) {
+void* find_in_petsc_plugin(const char* function) {
   const fs::path path = find_plugin();
   if (path.empty())
     throw InvalidArgument(
@@ -35,9 +35,14 @@ std::shared_ptr<LinearSolver> load_petsc_solver(const std::string& options) {
         "scripts/debian-packages-mpi.txt, and build it again");
   // Never closed, because PETSc ends when the program exits.
   void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const make = library != nullptr ? dlsym(library, "boxplus_petsc_solver") : nullptr;
-  if (make == nullptr)
+  void* const found = library != nullptr ? dlsym(library, function) : nullptr;
+  if (found == nullptr)
     throw FileError(fmt::format("{} cannot be loaded: {}", escaped(path.string()), escaped(dlerror())));
+  return found;
+}
+
+std::shared_ptr<LinearSolver> load_petsc_solver(const std::string& options) {
+  void* const make = find_in_petsc_plugin("boxplus_petsc_solver");
   return std::shared_ptr<LinearSolver>(
       reinterpret_cast<LinearSolver* (*)(const char*)>(make)(options.c_str()));
 }

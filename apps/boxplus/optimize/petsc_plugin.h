@@ -9,8 +9,11 @@
 
 namespace boxplus::app {
 
-/// make_petsc_solver() of plugins/petsc. Throws InvalidArgument, which says how to get the plug-in, if it is
-/// not installed.
+/// A function of the plug-in (plugins/petsc/src/plugin.cpp). Throws InvalidArgument, which says how to get
+/// the plug-in, if it is not installed.
+void* find_in_petsc_plugin(const char* function);
+
+/// make_petsc_solver() of the plug-in.
 std::shared_ptr<LinearSolver> load_petsc_solver(const std::string& options);
 
 }  // namespace boxplus::app

@@ -2,12 +2,14 @@
 // Reads and writes .g2o files with the types of the Factory.
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <istream>
 #include <map>
 #include <memory>
 #include <set>
 #include <sstream>
+#include <system_error>
 #include <typeinfo>
 #include <utility>
 
@@ -285,8 +287,9 @@ bool OptimizableGraph::load(const char* filename) {
     G2O_ERROR("load: expected the name of a file, got nullptr");
     return false;
   }
+  std::error_code none;
   std::ifstream file(filename);
-  if (!file || (file.peek(), file.bad())) {  // a folder can be opened but not read
+  if (!file || std::filesystem::is_directory(filename, none)) {  // some streams open folders
     G2O_ERROR("{} cannot be opened", filename);
     return false;
   }

@@ -63,6 +63,13 @@ struct SolveResult {
   std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
+/// A system that several processes share. Each process passes the system of its own blocks, and the system to
+/// be solved is the sum of these: of A, of λ D and of b. Each process gets its own blocks of x.
+struct DividedSystem {
+  std::span<const std::uint32_t> dims;    ///< the sizes of all blocks of the sum
+  std::span<const std::uint32_t> blocks;  ///< the number in the sum of each block of this process, ascending
+};
+
 /// Facts about the systems to be solved. Each solver's own options are in
 /// boxplus/linear/make_linear_solver.h.
 struct AnalyzeHints {
@@ -85,6 +92,8 @@ struct AnalyzeHints {
   /// The eliminated blocks at which a solver may divide its work among threads: 0, …, eliminated_blocks,
   /// ascending. If empty, at any block. Only analyze() reads it.
   std::span<const std::uint32_t> elimination_bounds = {};
+  /// For solvers that need contributions; otherwise null. Only analyze() reads it.
+  const DividedSystem* divided = nullptr;
 };
 
 /// Solves symmetric positive definite block systems of one structure.
@@ -100,7 +109,10 @@ struct AnalyzeHints {
 /// it.
 class LinearSolver {
  public:
-  enum class Needs { kBlocks, kOperator };
+  /// The blocks of A; only products with A; or the blocks that this process contributes to A
+  /// (AnalyzeHints::divided). In the last case, all processes call the same functions in the same order, and
+  /// these return the same status and throw in all of them, except for lack of memory.
+  enum class Needs { kBlocks, kOperator, kContributions };
 
   virtual ~LinearSolver() = default;
   virtual std::string_view name() const = 0;

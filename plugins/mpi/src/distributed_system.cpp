@@ -2,10 +2,12 @@
 #include "distributed_system.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/all_finite.h"
 #include "base/stopwatch.h"
+#include "boxplus/mpi/distributed_optimizer.h"
 
 namespace boxplus::mpi {
 namespace {
@@ -14,13 +16,19 @@ namespace {
 /// (GaugeRemoval).
 constexpr double kGaugeDamping = 1e-10;
 
+/// How many kept vertices there may be.
+std::uint32_t most_kept(const LinearSolver& solver) {
+  const bool is_divided = solver.needs() == LinearSolver::Needs::kContributions;
+  return is_divided ? std::numeric_limits<std::uint32_t>::max() : DistributedOptimizer::kMostKept;
+}
+
 }  // namespace
 
 DistributedSystem::DistributedSystem(Communicator& communicator, Graph& graph, const PlanRequest& request,
                                      std::shared_ptr<LinearSolver> solver, bool damps_gauge)
     : communicator_(&communicator),
       model_(graph, make_plan(graph, request), request.gauge),
-      kept_(communicator, graph, model_.plan),
+      kept_(communicator, graph, model_.plan, most_kept(*solver)),
       solver_(std::make_shared<SharedSolver>(std::move(solver), communicator, kept_, request.threads)),
       factored_(model_, solver_, SchurMode::kExplicit, request),
       trial_(graph, model_.plan),

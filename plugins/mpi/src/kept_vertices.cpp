@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "boxplus/mpi/distributed_optimizer.h"
+#include "boxplus/base/error.h"
 
 namespace boxplus::mpi {
 namespace {
@@ -85,7 +85,8 @@ void check_equal(const Record& a, int rank_a, const Record& b, int rank_b) {
 
 }  // namespace
 
-KeptVertices::KeptVertices(Communicator& communicator, const Graph& graph, const Plan& plan)
+KeptVertices::KeptVertices(Communicator& communicator, const Graph& graph, const Plan& plan,
+                           std::uint32_t most)
     : communicator_(&communicator) {
   struct Known {
     Record record;
@@ -115,12 +116,11 @@ KeptVertices::KeptVertices(Communicator& communicator, const Graph& graph, const
     dims_.push_back(vertex.record.dim());
     scalars_ += vertex.record.dim();
   }
-  if (count() > DistributedOptimizer::kMostKept) {
-    throw InvalidArgument(
-        "expected at most " + std::to_string(DistributedOptimizer::kMostKept) +
-        " vertices that are not eliminated, because each process solves for all of them; got " +
-        std::to_string(count()));
-  }
+  if (count() > most)
+    throw InvalidArgument("expected at most " + std::to_string(most) +
+                          " vertices that are not eliminated, because each process solves for all of them "
+                          "(unless PETSc divides their system); got " +
+                          std::to_string(count()));
   own_unknowns_ = plan.free_scalars();
   for (std::uint32_t block = first_kept(plan); block < plan.structure.blocks(); ++block) {
     const VertexRef& vertex = plan.block_vertex[block];

@@ -18,8 +18,8 @@ namespace boxplus::mpi {
 class KeptVertices {
  public:
   /// Collective. Throws InvalidArgument if the flags, sizes or estimates of a vertex differ between
-  /// processes, or if there are too many kept vertices.
-  KeptVertices(Communicator& communicator, const Graph& graph, const Plan& plan);
+  /// processes, or if there are more than `most` kept vertices.
+  KeptVertices(Communicator& communicator, const Graph& graph, const Plan& plan, std::uint32_t most);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(dims_.size()); }
   /// The sizes of all kept vertices.

@@ -16,15 +16,43 @@ SharedSolver::SharedSolver(std::shared_ptr<LinearSolver> inner, Communicator& co
                           std::string(inner_->name()) + "', which takes an operator");
 }
 
-/// The kept vertices of each block of the system of this process, which may have several.
+/// Where the inner system has the vertices of this process.
+void SharedSolver::find_places() {
+  const std::span<const KeptVertices::Local> local = kept_->local();
+  vertices_.clear();
+  places_.clear();
+  if (is_divided()) {
+    for (const KeptVertices::Local& vertex : local) vertices_.push_back(vertex.vertex);
+    std::ranges::sort(vertices_);
+  }
+  std::vector<std::uint32_t> first(1, 0);  // scalar of each of vertices_
+  for (const std::uint32_t vertex : vertices_) first.push_back(first.back() + kept_->dims()[vertex]);
+  for (const KeptVertices::Local& vertex : local) {
+    const auto found = std::ranges::lower_bound(vertices_, vertex.vertex) - vertices_.begin();
+    places_.push_back(is_divided() ? Place{static_cast<std::uint32_t>(found), first[found]}
+                                   : Place{vertex.vertex, vertex.all_first});
+  }
+}
+
+/// Calls f(scalar of the local system, scalar of the inner system, whether this process owns it).
+template <class F>
+void SharedSolver::for_each_scalar(F&& f) const {
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const KeptVertices::Local& vertex = kept_->local()[k];
+    for (std::uint32_t i = 0; i < vertex.dim; ++i)
+      f(vertex.first - first_local_ + i, places_[k].first + i, vertex.own);
+  }
+}
+
 std::vector<std::vector<SharedSolver::PartOfBlock>> SharedSolver::vertices_of_blocks(
     const BlockStructure& structure) const {
   std::vector<std::vector<PartOfBlock>> result(structure.blocks());
   std::uint32_t block = 0;
-  for (const KeptVertices::Local& vertex : kept_->local()) {
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const KeptVertices::Local& vertex = kept_->local()[k];
     const std::uint32_t scalar = vertex.first - first_local_;
     while (structure.offset[block + 1] <= scalar) ++block;
-    result[block].push_back({scalar - structure.offset[block], vertex});
+    result[block].push_back({scalar - structure.offset[block], vertex.dim, places_[k].block});
   }
   return result;
 }
@@ -33,6 +61,7 @@ void SharedSolver::analyze(const BlockStructure& structure, const AnalyzeHints& 
                            const StopToken& stop) {
   const std::span<const KeptVertices::Local> local = kept_->local();
   first_local_ = local.empty() ? 0 : local.front().first;
+  find_places();
   const auto vertices = vertices_of_blocks(structure);
   // Calls f(block, row, column) for each pair of vertices with values in the lower triangle.
   const auto for_each_pair = [&](auto&& f) {
@@ -48,10 +77,10 @@ void SharedSolver::analyze(const BlockStructure& structure, const AnalyzeHints& 
   };
   std::vector<std::uint64_t> pairs;
   for_each_pair([&](std::uint32_t, const PartOfBlock& r, const PartOfBlock& c) {
-    const auto [low, high] = std::minmax(r.vertex.vertex, c.vertex.vertex);
+    const auto [low, high] = std::minmax(r.block, c.block);
     if (low != high) pairs.push_back((std::uint64_t{high} << 32) + low);
   });
-  pairs = communicator_->gather(pairs);
+  if (!is_divided()) pairs = communicator_->gather(pairs);
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<BlockCoordinate> lower;
@@ -59,20 +88,22 @@ void SharedSolver::analyze(const BlockStructure& structure, const AnalyzeHints& 
   for (const std::uint64_t pair : pairs)
     lower.push_back({static_cast<std::uint32_t>(pair >> 32), static_cast<std::uint32_t>(pair)});
   pairs = {};
-  whole_ = make_block_structure(kept_->dims(), lower, stop);
-  values_.resize(std::size_t{whole_.nonzero_values()} + whole_.scalars());
-  vector_.resize(whole_.scalars());
+  std::vector<std::uint32_t> dims = is_divided() ? std::vector<std::uint32_t>() : kept_->dims();
+  for (const std::uint32_t vertex : vertices_) dims.push_back(kept_->dims()[vertex]);
+  structure_ = make_block_structure(dims, lower, stop);
+  values_.resize(std::size_t{structure_.nonzero_values()} + structure_.scalars());
+  vector_.resize(structure_.scalars());
   parts_.clear();
   for_each_pair([&](std::uint32_t k, const PartOfBlock& r, const PartOfBlock& c) {
     const std::uint32_t stride = structure.dim(structure.row[k]);
-    const bool transposed = r.vertex.vertex < c.vertex.vertex;
-    const auto [low, high] = std::minmax(r.vertex.vertex, c.vertex.vertex);
+    const bool transposed = r.block < c.block;
+    const auto [low, high] = std::minmax(r.block, c.block);
     parts_.push_back({structure.value_start[k] + c.first * stride + r.first,
-                      whole_.value_start[whole_.find(high, low)], static_cast<std::uint16_t>(r.vertex.dim),
-                      static_cast<std::uint16_t>(c.vertex.dim), static_cast<std::uint16_t>(stride),
-                      transposed});
+                      structure_.value_start[structure_.find(high, low)], static_cast<std::uint16_t>(r.dim),
+                      static_cast<std::uint16_t>(c.dim), static_cast<std::uint16_t>(stride), transposed});
   });
-  inner_->analyze(whole_, {.threads = threads_}, stop);
+  const DividedSystem divided{kept_->dims(), vertices_};
+  inner_->analyze(structure_, {.threads = threads_, .divided = is_divided() ? &divided : nullptr}, stop);
 }
 
 /// Whether all processes go on. Collective.
@@ -80,6 +111,14 @@ bool SharedSolver::agree(LinearStatus status) {
   worst_ = static_cast<LinearStatus>(static_cast<int>(communicator_->max(static_cast<int>(status))));
   if (worst_ != LinearStatus::kOk) stage_ = Stage::kFailed;
   return worst_ == LinearStatus::kOk;
+}
+
+/// Makes the result of the process that knows the failed block that of all.
+void SharedSolver::find_failed_vertex(std::uint32_t failed_block) {
+  double vertex = -1;
+  if (failed_block < structure_.blocks()) vertex = is_divided() ? vertices_[failed_block] : failed_block;
+  vertex = communicator_->max(vertex);
+  if (vertex >= 0) failed_vertex_ = static_cast<std::uint32_t>(vertex);
 }
 
 /// Adds the values of this process to values_.
@@ -100,17 +139,19 @@ FactorResult SharedSolver::factorize(const BlockSystem& system, const Damping& d
   if (!agree(LinearStatus::kOk)) return {worst_};
   std::ranges::fill(values_, 0.0);
   add_parts(system.values());
-  double* const diagonal = values_.data() + whole_.nonzero_values();
-  kept_->for_each_scalar([&](std::uint32_t i, std::uint32_t all, bool own) {
-    if (own) diagonal[all] = damping(i - first_local_);
+  double* const diagonal = values_.data() + structure_.nonzero_values();
+  for_each_scalar([&](std::uint32_t i, std::uint32_t inner, bool own) {
+    if (own) diagonal[inner] = damping(i);
   });
-  communicator_->add_up(values_);
-  const AssembledSystem whole(whole_, {values_.data(), whole_.nonzero_values()});
+  if (!is_divided()) communicator_->add_up(values_);
+  const AssembledSystem sum(structure_, {values_.data(), structure_.nonzero_values()});
   SolveControl own_control = control;
   own_control.right_hand_side = nullptr;
-  const FactorResult result = inner_->factorize(whole, {1.0, diagonal}, own_control);
-  if (result.failed_block < kept_->count()) failed_vertex_ = result.failed_block;
-  if (!agree(result.status)) return {worst_};
+  const FactorResult result = inner_->factorize(sum, {1.0, diagonal}, own_control);
+  if (!agree(result.status)) {
+    find_failed_vertex(result.failed_block);
+    return {worst_};
+  }
   stage_ = Stage::kFactorized;
   return {};
 }
@@ -122,12 +163,10 @@ SolveResult SharedSolver::solve(const double* b, int columns, double* x, const S
   for (const KeptVertices::Local& vertex : kept_->local()) size += vertex.dim;
   for (int c = 0; c < columns; ++c, b += size, x += size) {
     std::ranges::fill(vector_, 0.0);
-    kept_->for_each_scalar(
-        [&](std::uint32_t i, std::uint32_t all, bool) { vector_[all] = b[i - first_local_]; });
-    communicator_->add_up(vector_);
+    for_each_scalar([&](std::uint32_t i, std::uint32_t inner, bool) { vector_[inner] = b[i]; });
+    if (!is_divided()) communicator_->add_up(vector_);
     const SolveResult result = inner_->solve(vector_.data(), 1, vector_.data(), control);
-    kept_->for_each_scalar(
-        [&](std::uint32_t i, std::uint32_t all, bool) { x[i - first_local_] = vector_[all]; });
+    for_each_scalar([&](std::uint32_t i, std::uint32_t inner, bool) { x[i] = vector_[inner]; });
     total.status = std::max(total.status, result.status);
     total.iterations += result.iterations;
     total.exact = total.exact && result.exact;

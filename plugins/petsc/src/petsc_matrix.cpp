@@ -14,108 +14,233 @@ namespace {
 
 static_assert(std::is_same_v<PetscScalar, double>, "boxplus needs a PETSc with real numbers in double");
 
-/// The size that all blocks have, or 0.
-PetscInt common_size(const BlockStructure& structure) {
-  const std::uint32_t size = structure.dim(0);
-  for (std::uint32_t j = 1; j < structure.blocks(); ++j) {
-    if (structure.dim(j) != size) return 0;
-  }
-  return static_cast<PetscInt>(size);
-}
+constexpr std::uint64_t kMost = std::numeric_limits<PetscInt>::max();
 
 }  // namespace
 
-Matrix::Matrix(const Calls& calls, const BlockStructure& structure, MatType type)
-    : structure_(&structure), block_size_(common_size(structure)) {
-  const std::uint64_t most = std::numeric_limits<PetscInt>::max();
-  if (2 * std::uint64_t{structure.nonzero_values()} > most)
-    throw InvalidArgument("PETSc: expected at most " + std::to_string(most / 2) +
+Layout::Layout(const BlockStructure& structure, const DividedSystem* divided, MPI_Comm communicator)
+    : communicator_(communicator), numbers_(structure.blocks()) {
+  std::iota(numbers_.begin(), numbers_.end(), 0);
+  if (divided != nullptr) std::ranges::copy(divided->blocks, numbers_.begin());
+  const auto count = static_cast<std::uint32_t>(divided != nullptr ? divided->dims.size() : numbers_.size());
+  const auto dim_of = [&](std::uint32_t number) {
+    return divided != nullptr ? divided->dims[number] : structure.dim(number);
+  };
+  std::uint64_t end = 0;
+  bool is_equal = true;
+  offset_.push_back(0);
+  for (std::uint32_t number = 0; number < count; ++number) {
+    end += dim_of(number);
+    is_equal = is_equal && dim_of(number) == dim_of(0);
+    offset_.push_back(static_cast<PetscInt>(std::min(end, kMost)));
+  }
+  if (end > kMost)
+    throw InvalidArgument("PETSc: expected at most " + std::to_string(kMost) + " scalars, got " +
+                          std::to_string(end));
+  if (is_equal && count > 0) block_size_ = static_cast<PetscInt>(dim_of(0));
+  int size = 1;
+  MPI_Comm_rank(communicator, &rank_);
+  MPI_Comm_size(communicator, &size);
+  for (int process = 0; process <= size; ++process)
+    first_rows_.push_back(static_cast<PetscInt>(std::uint64_t{count} * static_cast<unsigned>(process) /
+                                                static_cast<unsigned>(size)));
+}
+
+int Layout::owner(PetscInt number) const {
+  return static_cast<int>(std::ranges::upper_bound(first_rows_, number) - first_rows_.begin() - 1);
+}
+
+std::vector<PetscInt> Layout::scalars_of_blocks() const {
+  std::vector<PetscInt> scalars;
+  for (const PetscInt number : numbers_) {
+    for (PetscInt i = offset_[number]; i < offset_[number + 1]; ++i) scalars.push_back(i);
+  }
+  return scalars;
+}
+
+std::uint32_t Layout::find_block(PetscInt scalar) const {
+  const auto number = static_cast<PetscInt>(std::ranges::upper_bound(offset_, scalar) - offset_.begin() - 1);
+  const auto found = std::ranges::lower_bound(numbers_, number);
+  if (found == numbers_.end() || *found != number) return BlockStructure::kAbsent;
+  return static_cast<std::uint32_t>(found - numbers_.begin());
+}
+
+Matrix::Matrix(const Calls& calls, const BlockStructure& structure, const Layout& layout, MatType type)
+    : structure_(&structure), layout_(&layout) {
+  if (2 * std::uint64_t{structure.nonzero_values()} > kMost)
+    throw InvalidArgument("PETSc: expected at most " + std::to_string(kMost / 2) +
                           " values in the lower triangle, got " + std::to_string(structure.nonzero_values()));
-  const auto size = static_cast<PetscInt>(structure.scalars());
-  calls(MatCreate(PETSC_COMM_SELF, matrix_.out()));
-  calls(MatSetSizes(matrix_, size, size, size, size));
-  calls(MatSetType(matrix_, has_equal_blocks() ? type : MATSEQAIJ));
+  const PetscInt first = layout.first_row(layout.rank()), end = layout.first_row(layout.rank() + 1);
+  const PetscInt rows = layout.first_scalar(end) - layout.first_scalar(first);
+  const bool has_equal_blocks = layout.block_size() > 0;
+  calls(MatCreate(layout.communicator(), matrix_.out()));
+  calls(MatSetSizes(matrix_, rows, rows, layout.scalars(), layout.scalars()));
+  calls(MatSetType(matrix_, has_equal_blocks ? type : MATAIJ));
   calls(MatSetFromOptions(matrix_));
-  PetscBool is_symmetric_type = PETSC_FALSE;
-  calls(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(static_cast<Mat>(matrix_)),
-                                  &is_symmetric_type, MATSEQSBAIJ, MATSBAIJ, ""));
-  upper_only_ = is_symmetric_type;
-  if (has_equal_blocks()) calls(MatSetBlockSize(matrix_, block_size_));
+  upper_only_ = is_type(calls, MATSEQSBAIJ) || is_type(calls, MATMPISBAIJ);
+  if (has_equal_blocks) calls(MatSetBlockSize(matrix_, layout.block_size()));
+  exchange_places(calls);
   preallocate(calls);
-  calls(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
-  calls(MatSetOption(matrix_, MAT_SPD_ETERNAL, PETSC_TRUE));
+  if (!is_type(calls, MATMPIBAIJ)) {  // which does not know these options
+    calls(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+    calls(MatSetOption(matrix_, MAT_SPD_ETERNAL, PETSC_TRUE));
+  }
   if (upper_only_) calls(MatSetOption(matrix_, MAT_IGNORE_LOWER_TRIANGULAR, PETSC_TRUE));
-  if (has_equal_blocks()) return;
+  if (has_equal_blocks) return;
   std::vector<PetscInt> sizes;
-  for (std::uint32_t j = 0; j < structure.blocks(); ++j)
-    sizes.push_back(static_cast<PetscInt>(structure.dim(j)));
+  for (PetscInt number = first; number < end; ++number) sizes.push_back(layout.dim(number));
   calls(MatSetVariableBlockSizes(matrix_, static_cast<PetscInt>(sizes.size()), sizes.data()));
 }
 
-/// Counts the blocks, or the scalars, of each row, and of the upper triangle of each row.
+bool Matrix::is_type(const Calls& calls, MatType type) const {
+  PetscBool same = PETSC_FALSE;
+  calls(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(static_cast<Mat>(matrix_)), type, &same));
+  return same;
+}
+
+/// Calls f(k, column, whether it is in the upper triangle, place) for the blocks of the structure, and, if
+/// the matrix stores both triangles, for their transposes.
+template <class F>
+void Matrix::for_each_block(F&& f) const {
+  const BlockStructure& s = *structure_;
+  for (std::uint32_t j = 0; j < s.blocks(); ++j) {
+    for (std::uint32_t k = s.column_start[j]; k < s.column_start[j + 1]; ++k) {
+      const PetscInt low = layout_->number(j), high = layout_->number(s.row[k]);
+      f(k, j, true, Place{low, high});
+      if (!upper_only_ && low != high) f(k, j, false, Place{high, low});
+    }
+  }
+}
+
+/// Tells other processes which blocks they will get.
+void Matrix::exchange_places(const Calls& calls) {
+  const auto processes = static_cast<std::size_t>(layout_->processes());
+  std::vector<std::vector<Place>> places(processes);
+  for_each_block([&](std::uint32_t, std::uint32_t, bool, Place place) {
+    const int owner = layout_->owner(place.row);
+    if (owner != layout_->rank()) places[static_cast<std::size_t>(owner)].push_back(place);
+  });
+  const auto shares_of = [&](const std::vector<std::vector<Place>>& of_processes, auto&& count) {
+    Shares shares;
+    std::size_t end = 0;
+    for (const std::vector<Place>& of_process : of_processes) {
+      shares.first.push_back(static_cast<int>(end));
+      std::size_t items = 0;
+      for (const Place place : of_process) items += count(place);
+      end += items;
+      if (end > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw Error("PETSc: a process contributes too many values to the rows of others");
+      shares.count.push_back(static_cast<int>(items));
+    }
+    return shares;
+  };
+  const auto exchange = [&](const Shares& of_sent) {
+    Shares shares{std::vector<int>(processes), std::vector<int>(processes, 0)};
+    calls(MPI_Alltoall(of_sent.count.data(), 1, MPI_INT, shares.count.data(), 1, MPI_INT,
+                       layout_->communicator()));
+    for (std::size_t p = 1; p < processes; ++p) shares.first[p] = shares.first[p - 1] + shares.count[p - 1];
+    return shares;
+  };
+  const auto total = [](const Shares& shares) {
+    return static_cast<std::size_t>(shares.first.back() + shares.count.back());
+  };
+  const Shares sent = shares_of(places, [](Place) { return std::size_t{2}; }), received = exchange(sent);
+  std::vector<Place> all;
+  for (const std::vector<Place>& of_process : places)
+    all.insert(all.end(), of_process.begin(), of_process.end());
+  received_places_.resize(total(received) / 2);
+  calls(MPI_Alltoallv(all.data(), sent.count.data(), sent.first.data(), MPIU_INT, received_places_.data(),
+                      received.count.data(), received.first.data(), MPIU_INT, layout_->communicator()));
+  sent_ = shares_of(places, [&](Place place) { return size(place); });
+  received_ = exchange(sent_);
+  sent_values_.resize(total(sent_));
+  received_values_.resize(total(received_));
+}
+
+/// Tells the matrix where it will have values. If the blocks have equal sizes, one value stands for its
+/// block.
 void Matrix::preallocate(const Calls& calls) {
-  const BlockStructure& s = *structure_;
-  const bool in_blocks = has_equal_blocks();
-  const auto width = [&](std::uint32_t block) { return in_blocks ? 1 : static_cast<PetscInt>(s.dim(block)); };
-  std::vector<PetscInt> of_row(s.blocks(), 0), of_upper(s.blocks(), 0);
-  for (std::uint32_t j = 0; j < s.blocks(); ++j) {
-    for (std::uint32_t k = s.column_start[j]; k < s.column_start[j + 1]; ++k) {
-      const std::uint32_t i = s.row[k];
-      of_row[j] += width(i);
-      of_upper[j] += width(i);
-      if (i != j) of_row[i] += width(j);
-    }
-  }
-  if (!in_blocks) {
-    std::vector<PetscInt> scalar_row, scalar_upper;
-    for (std::uint32_t j = 0; j < s.blocks(); ++j) {
-      scalar_row.insert(scalar_row.end(), s.dim(j), of_row[j]);
-      scalar_upper.insert(scalar_upper.end(), s.dim(j), of_upper[j]);
-    }
-    of_row = std::move(scalar_row);
-    of_upper = std::move(scalar_upper);
-  }
-  calls(MatXAIJSetPreallocation(matrix_, in_blocks ? block_size_ : 1, of_row.data(), nullptr, of_upper.data(),
-                                nullptr));
+  const Layout& layout = *layout_;
+  PetscInt rows = 0, block_size = 1;
+  calls(MatGetLocalSize(matrix_, &rows, nullptr));
+  calls(MatGetBlockSize(matrix_, &block_size));
+  Owned<Mat, MatDestroy> pattern;
+  calls(MatCreate(layout.communicator(), pattern.out()));
+  calls(MatSetSizes(pattern, rows, rows, layout.scalars(), layout.scalars()));
+  calls(MatSetType(pattern, MATPREALLOCATOR));
+  calls(MatSetBlockSize(pattern, block_size));
+  calls(MatSetUp(pattern));
+  const auto add = [&](Place place) {
+    rows_.resize(static_cast<std::size_t>(layout.block_size() > 0 ? 1 : layout.dim(place.row)));
+    columns_.resize(static_cast<std::size_t>(layout.block_size() > 0 ? 1 : layout.dim(place.column)));
+    std::iota(rows_.begin(), rows_.end(), layout.first_scalar(place.row));
+    std::iota(columns_.begin(), columns_.end(), layout.first_scalar(place.column));
+    block_.assign(rows_.size() * columns_.size(), 0.0);
+    calls(MatSetValues(pattern, static_cast<PetscInt>(rows_.size()), rows_.data(),
+                       static_cast<PetscInt>(columns_.size()), columns_.data(), block_.data(),
+                       INSERT_VALUES));
+  };
+  for_each_block([&](std::uint32_t, std::uint32_t, bool, Place place) {
+    if (layout.owner(place.row) == layout.rank()) add(place);
+  });
+  for (const Place place : received_places_) add(place);
+  calls(MatAssemblyBegin(pattern, MAT_FINAL_ASSEMBLY));
+  calls(MatAssemblyEnd(pattern, MAT_FINAL_ASSEMBLY));
+  calls(MatPreallocatorPreallocate(pattern, PETSC_FALSE, matrix_));
 }
 
-void Matrix::insert(const Calls& calls, std::uint32_t row, std::uint32_t column, const double* values) {
-  if (has_equal_blocks()) {
-    const auto i = static_cast<PetscInt>(row), j = static_cast<PetscInt>(column);
-    return calls(MatSetValuesBlocked(matrix_, 1, &i, 1, &j, values, INSERT_VALUES));
-  }
-  const BlockStructure& s = *structure_;
-  rows_.resize(s.dim(row));
-  columns_.resize(s.dim(column));
-  std::iota(rows_.begin(), rows_.end(), static_cast<PetscInt>(s.offset[row]));
-  std::iota(columns_.begin(), columns_.end(), static_cast<PetscInt>(s.offset[column]));
+void Matrix::insert(const Calls& calls, Place place, const double* values) {
+  const Layout& layout = *layout_;
+  if (layout.block_size() > 0)
+    return calls(MatSetValuesBlocked(matrix_, 1, &place.row, 1, &place.column, values, ADD_VALUES));
+  rows_.resize(static_cast<std::size_t>(layout.dim(place.row)));
+  columns_.resize(static_cast<std::size_t>(layout.dim(place.column)));
+  std::iota(rows_.begin(), rows_.end(), layout.first_scalar(place.row));
+  std::iota(columns_.begin(), columns_.end(), layout.first_scalar(place.column));
   calls(MatSetValues(matrix_, static_cast<PetscInt>(rows_.size()), rows_.data(),
-                     static_cast<PetscInt>(columns_.size()), columns_.data(), values, INSERT_VALUES));
+                     static_cast<PetscInt>(columns_.size()), columns_.data(), values, ADD_VALUES));
 }
 
-void Matrix::assign(const Calls& calls, const double* values, const Damping& damping) {
+/// The values, row by row, of a block of A + λD or of its transpose. Valid until the next call.
+const double* Matrix::by_rows(std::uint32_t k, std::uint32_t column, bool is_upper, const double* values,
+                              const Damping& damping) {
   const BlockStructure& s = *structure_;
-  calls(MatSetOption(matrix_, MAT_ROW_ORIENTED, PETSC_TRUE));
-  for (std::uint32_t j = 0; j < s.blocks(); ++j) {
-    for (std::uint32_t k = s.column_start[j]; k < s.column_start[j + 1]; ++k) {
-      const double* block = values + s.value_start[k];
-      // A block of the lower triangle, column by column, is its transpose in the upper one, row by row.
-      if (s.row[k] != j) {
-        insert(calls, j, s.row[k], block);
-        continue;
-      }
-      const std::uint32_t dim = s.dim(j);
-      diagonal_.assign(block, block + dim * dim);
-      for (std::uint32_t i = 0; i < dim; ++i) diagonal_[i * (dim + 1)] += damping(s.offset[j] + i);
-      insert(calls, j, j, diagonal_.data());
+  const double* block = values + s.value_start[k];
+  const std::uint32_t row = s.row[k], height = s.dim(row), width = s.dim(column);
+  // A block of the lower triangle, column by column, is its transpose in the upper one, row by row.
+  if (row != column && is_upper) return block;
+  block_.assign(block, block + height * width);
+  if (row == column) {
+    for (std::uint32_t i = 0; i < height; ++i) block_[i * (height + 1)] += damping(s.offset[column] + i);
+  } else {
+    for (std::uint32_t i = 0; i < height; ++i) {
+      for (std::uint32_t j = 0; j < width; ++j) block_[i * width + j] = block[j * height + i];
     }
   }
-  if (!upper_only_) {
-    calls(MatSetOption(matrix_, MAT_ROW_ORIENTED, PETSC_FALSE));
-    for (std::uint32_t j = 0; j < s.blocks(); ++j) {
-      for (std::uint32_t k = s.column_start[j] + 1; k < s.column_start[j + 1]; ++k)
-        insert(calls, s.row[k], j, values + s.value_start[k]);
-    }
+  return block_.data();
+}
+
+/// Adds contributions in the order of ranks, so that the bits of the sums repeat. (PETSc would add them as
+/// they arrive.)
+void Matrix::assign(const Calls& calls, const double* values, const Damping& damping) {
+  calls(MatZeroEntries(matrix_));
+  std::vector<int> next = sent_.first;
+  for_each_block([&](std::uint32_t k, std::uint32_t column, bool is_upper, Place place) {
+    const double* block = by_rows(k, column, is_upper, values, damping);
+    const int owner = layout_->owner(place.row);
+    if (owner == layout_->rank()) return insert(calls, place, block);
+    int& end = next[static_cast<std::size_t>(owner)];
+    std::copy_n(block, size(place), sent_values_.data() + end);
+    end += static_cast<int>(size(place));
+  });
+  if (layout_->processes() > 1)
+    calls(MPI_Alltoallv(sent_values_.data(), sent_.count.data(), sent_.first.data(), MPI_DOUBLE,
+                        received_values_.data(), received_.count.data(), received_.first.data(), MPI_DOUBLE,
+                        layout_->communicator()));
+  const double* block = received_values_.data();
+  for (const Place place : received_places_) {
+    insert(calls, place, block);
+    block += size(place);
   }
   calls(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
   calls(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "boxplus/petsc/make_divided_petsc_solver.h"
 #include "boxplus/petsc/make_petsc_solver.h"
 #include "linear/finite_check.h"
 #include "linear/lost_pivot.h"
@@ -16,6 +17,10 @@ namespace boxplus {
 
 std::unique_ptr<LinearSolver> make_petsc_solver(const std::string& options) {
   return std::make_unique<petsc::Solver>(options);
+}
+
+std::unique_ptr<LinearSolver> make_divided_petsc_solver(MPI_Comm communicator, const std::string& options) {
+  return std::make_unique<petsc::Solver>(options, communicator);
 }
 
 namespace petsc {
@@ -94,8 +99,14 @@ LinearStatus status_of(KSPConvergedReason reason) {
 
 }  // namespace
 
-Solver::Solver(const std::string& options)
-    : texts_(parse_options(options)),
+Solver::Solver(const std::string& options) : Solver(options, PETSC_COMM_SELF, false) {}
+
+Solver::Solver(const std::string& options, MPI_Comm communicator) : Solver(options, communicator, true) {}
+
+Solver::Solver(const std::string& options, MPI_Comm communicator, bool is_divided)
+    : communicator_(communicator),
+      is_divided_(is_divided),
+      texts_(parse_options(options)),
       options_(make_options(options)),
       has_own_tolerance_(texts_.contains("-ksp_rtol")),
       has_own_limit_(texts_.contains("-ksp_max_it")) {}
@@ -123,12 +134,10 @@ void Solver::choose_methods(const Calls& calls) {
   const std::string type = !preconditioner.empty() ? preconditioner : is_direct ? PCCHOLESKY : PCPBJACOBI;
   const std::string package = option("-pc_factor_mat_solver_type", package_for_cholesky(calls));
   // MUMPS needs the symmetric format. The factorization of PETSc counts its negative pivots only in AIJ.
-  const MatType format = type != PCCHOLESKY          ? MATSEQBAIJ
-                         : package == MATSOLVERMUMPS ? MATSEQSBAIJ
-                                                     : MATSEQAIJ;
-  problem_.emplace(Matrix(calls, *structure_, format));
+  const MatType format = type != PCCHOLESKY ? MATBAIJ : package == MATSOLVERMUMPS ? MATSBAIJ : MATAIJ;
+  problem_.emplace(calls, *structure_, *layout_, format);
   const Matrix& matrix = problem_->matrix;
-  calls(KSPCreate(PETSC_COMM_SELF, problem_->ksp.out()));
+  calls(KSPCreate(communicator_, problem_->ksp.out()));
   const KSP ksp = problem_->ksp;
   calls(KSPSetOperators(ksp, matrix, matrix));
   calls(KSPSetType(ksp, is_direct ? KSPPREONLY : KSPCG));
@@ -139,7 +148,7 @@ void Solver::choose_methods(const Calls& calls) {
     calls(PCSetType(problem_->pc, PCCHOLESKY));
     calls(PCFactorSetMatSolverType(problem_->pc, package.c_str()));
   } else if (preconditioner.empty()) {
-    calls(PCSetType(problem_->pc, matrix.has_equal_blocks() ? PCPBJACOBI : PCVPBJACOBI));
+    calls(PCSetType(problem_->pc, layout_->block_size() > 0 ? PCPBJACOBI : PCVPBJACOBI));
   }
   calls(KSPSetFromOptions(ksp));
   is_direct_ = is_type(calls, ksp, KSPPREONLY) && factorizes(calls, problem_->pc);
@@ -170,10 +179,48 @@ void Solver::make_vectors(const Calls& calls) {
   Problem& p = *problem_;
   for (Vector* vector : {&p.right_hand_side, &p.correction, &p.solution, &p.residual})
     calls(MatCreateVecs(p.matrix, vector->out(), nullptr));
+  if (!is_divided_) return;
+  const std::vector<PetscInt> scalars = layout_->scalars_of_blocks();
+  const auto count = static_cast<PetscInt>(scalars.size());
+  Owned<IS, ISDestroy> places;
+  calls(ISCreateGeneral(PETSC_COMM_SELF, count, scalars.data(), PETSC_COPY_VALUES, places.out()));
+  calls(VecCreateSeq(PETSC_COMM_SELF, count, p.here.out()));
+  calls(VecScatterCreate(p.solution, places, p.here, nullptr, p.way.out()));
+}
+
+/// Whether it is so in any process.
+bool Solver::any(const Calls& calls, bool here) const {
+  if (!is_divided_) return here;
+  int result = here ? 1 : 0;
+  calls(MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, communicator_));
+  return result != 0;
+}
+
+/// Makes b, or the sum of what processes contribute to it, the right-hand side.
+void Solver::load(const Calls& calls, const double* b) {
+  Problem& p = *problem_;
+  if (!is_divided_) return copy(calls, b, p.right_hand_side);
+  copy(calls, b, p.here);
+  calls(VecZeroEntries(p.right_hand_side));
+  calls(VecScatterBegin(p.way, p.here, p.right_hand_side, ADD_VALUES, SCATTER_REVERSE));
+  calls(VecScatterEnd(p.way, p.here, p.right_hand_side, ADD_VALUES, SCATTER_REVERSE));
+}
+
+/// Copies the scalars of the solution that belong to this process.
+void Solver::store(const Calls& calls, double* x) {
+  Problem& p = *problem_;
+  if (!is_divided_) return copy(calls, p.solution, x);
+  calls(VecScatterBegin(p.way, p.solution, p.here, INSERT_VALUES, SCATTER_FORWARD));
+  calls(VecScatterEnd(p.way, p.solution, p.here, INSERT_VALUES, SCATTER_FORWARD));
+  copy(calls, p.here, x);
 }
 
 void Solver::analyze(const BlockStructure& structure, const AnalyzeHints& hints, const StopToken& stop) {
   stop.check();
+  if (is_divided_ != (hints.divided != nullptr))
+    throw InvalidArgument(is_divided_
+                              ? "PETSc: expected a DistributedOptimizer for a solver that divides systems"
+                              : "PETSc: expected a solver that divides systems");
   const Calls calls(options_);
   factorized_ = false;
   statistics_ = {};
@@ -182,7 +229,8 @@ void Solver::analyze(const BlockStructure& structure, const AnalyzeHints& hints,
   structure_ = &structure;
   may_be_singular_ = hints.may_be_singular;
   last_.assign(hints.last.begin(), hints.last.end());
-  if (structure.scalars() == 0) return;
+  layout_.emplace(structure, hints.divided, communicator_);
+  if (layout_->scalars() == 0) return;
   try {
     choose_methods(calls);
     make_vectors(calls);
@@ -203,13 +251,12 @@ FactorResult Solver::factorize(const BlockSystem& system, const Damping& damping
   if (values.size() != s.nonzero_values())
     throw InvalidArgument("petsc::Solver::factorize: expected the block values of the analyzed structure");
   if (control.stop.raised()) return {LinearStatus::kStopped};
+  const Calls calls(options_);
   const std::uint32_t not_finite = find_not_finite(s, values.data(), damping);
-  if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
-  if (const FactorResult result = check_diagonal(values.data(), damping); result.status != LinearStatus::kOk)
-    return result;
-  if (s.scalars() > 0) {
-    const Calls calls(options_);
+  if (any(calls, not_finite != BlockStructure::kAbsent)) return {LinearStatus::kNotFinite, not_finite};
+  if (problem_) {
     problem_->matrix.assign(calls, values.data(), damping);
+    if (const FactorResult result = check_diagonal(calls); result.status != LinearStatus::kOk) return result;
     // Otherwise, PETSc would notice the new values only in KSPSolve().
     calls(KSPSetOperators(problem_->ksp, problem_->matrix, problem_->matrix));
     calls(KSPSetUp(problem_->ksp));
@@ -225,17 +272,17 @@ FactorResult Solver::factorize(const BlockSystem& system, const Damping& damping
 }
 
 /// Iterative methods might not notice an entry ≤ 0.
-FactorResult Solver::check_diagonal(const double* values, const Damping& damping) const {
-  const BlockStructure& s = *structure_;
-  for (std::uint32_t j = 0; j < s.blocks(); ++j) {
-    const double* block = values + s.value_start[s.column_start[j]];
-    const std::uint32_t dim = s.dim(j);
-    for (std::uint32_t i = 0; i < dim; ++i) {
-      const std::uint32_t scalar = s.offset[j] + i;
-      if (block[i * (dim + 1)] + damping(scalar) <= 0) return {LinearStatus::kNotPositiveDefinite, j, scalar};
-    }
-  }
-  return {};
+FactorResult Solver::check_diagonal(const Calls& calls) {
+  PetscInt scalar = 0;
+  PetscReal least = 0;
+  calls(MatGetDiagonal(problem_->matrix, problem_->residual));
+  calls(VecMin(problem_->residual, &scalar, &least));
+  if (least > 0) return {};
+  const std::uint32_t block = layout_->find_block(scalar);
+  if (block == BlockStructure::kAbsent) return {LinearStatus::kNotPositiveDefinite};
+  const PetscInt in_block = scalar - layout_->first_scalar(layout_->number(block));
+  return {LinearStatus::kNotPositiveDefinite, block,
+          structure_->offset[block] + static_cast<std::uint32_t>(in_block)};
 }
 
 FactorResult Solver::setup_failure(const Calls& calls) {
@@ -303,18 +350,18 @@ void Solver::collect_statistics(const Calls& calls) {
   Mat factor = nullptr;
   calls(PCFactorGetMatrix(problem_->pc, &factor));
   MatInfo info;
-  calls(MatGetInfo(factor, MAT_LOCAL, &info));
+  calls(MatGetInfo(factor, MAT_GLOBAL_SUM, &info));
   statistics_.factor_nonzeros = static_cast<std::uint64_t>(std::max(0.0, info.nz_used));
 }
 
 SolveResult Solver::solve(const double* b, int columns, double* x, const SolveControl& control) {
   if (!factorized_) throw InvalidArgument("petsc::Solver::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
-  if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
+  const Calls calls(options_);
+  if (any(calls, !all_finite(b, size * static_cast<std::size_t>(std::max(0, columns)))))
     return {LinearStatus::kNotFinite};
   SolveResult total{.exact = true};
-  const Calls calls(options_);
-  for (int c = 0; c < columns && size > 0; ++c, b += size, x += size) {
+  for (int c = 0; c < columns && problem_; ++c, b += size, x += size) {
     const SolveResult result = solve_column(calls, b, x, control);
     total.iterations += result.iterations;
     total.exact = total.exact && result.exact;
@@ -335,10 +382,9 @@ SolveResult Solver::solve_column(const Calls& calls, const double* b, double* x,
     watch_->stop = control.stop;
     watch_->stopped = false;
   }
-  const int limit = control.max_iterations > 0
-                        ? control.max_iterations
-                        : static_cast<int>(std::max(100u, std::min(2 * structure_->scalars(), 1u << 30)));
-  copy(calls, b, p.right_hand_side);
+  const int limit = control.max_iterations > 0 ? control.max_iterations
+                                               : std::max(100, 2 * std::min(layout_->scalars(), 1 << 29));
+  load(calls, b);
   calls(VecCopy(p.right_hand_side, p.residual));
   calls(VecZeroEntries(p.solution));
   const double size = norm(calls, p.right_hand_side), target = control.relative_tolerance * size;
@@ -359,7 +405,7 @@ SolveResult Solver::solve_column(const Calls& calls, const double* b, double* x,
     if (control.stop.raised()) return {LinearStatus::kStopped, result.iterations};
   }
   if (watch_ && watch_->stopped) return {LinearStatus::kStopped, result.iterations};
-  copy(calls, p.solution, x);
+  store(calls, x);
   const double slope = dot(calls, p.right_hand_side, p.solution);
   const double rest = dot(calls, p.residual, p.solution);
   // xᵀ(A + λD)x = slope − rest

@@ -18,13 +18,16 @@ namespace boxplus::petsc {
 
 class Solver final : public LinearSolver {
  public:
+  /// Solves in this process.
   explicit Solver(const std::string& options);
+  /// Solves systems that the processes of a communicator share.
+  Solver(const std::string& options, MPI_Comm communicator);
   ~Solver() override;
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
   std::string_view name() const override { return "petsc"; }
-  Needs needs() const override { return Needs::kBlocks; }
+  Needs needs() const override { return is_divided_ ? Needs::kContributions : Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints, const StopToken& stop) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control) override;
@@ -35,11 +38,14 @@ class Solver final : public LinearSolver {
   using Vector = Owned<Vec, VecDestroy>;
   /// What belongs to one structure. Members are destroyed in reverse order.
   struct Problem {
-    explicit Problem(Matrix made) : matrix(std::move(made)) {}
+    Problem(const Calls& calls, const BlockStructure& structure, const Layout& layout, MatType type)
+        : matrix(calls, structure, layout, type) {}
     Matrix matrix;
     Owned<KSP, KSPDestroy> ksp;
     PC pc = nullptr;  // of ksp
     Vector right_hand_side, correction, solution, residual;
+    Vector here;                               // the scalars of the blocks of this process
+    Owned<VecScatter, VecScatterDestroy> way;  // from vectors of all scalars to `here`
   };
   /// A convergence test of PETSc, which also ends a solution if the token is raised.
   struct Watch {
@@ -53,7 +59,10 @@ class Solver final : public LinearSolver {
   void choose_methods(const Calls& calls);
   void make_vectors(const Calls& calls);
   void watch_stop(const Calls& calls);
-  FactorResult check_diagonal(const double* values, const Damping& damping) const;
+  bool any(const Calls& calls, bool here) const;
+  void load(const Calls& calls, const double* b);
+  void store(const Calls& calls, double* x);
+  FactorResult check_diagonal(const Calls& calls);
   FactorResult setup_failure(const Calls& calls);
   FactorResult find_lost_pivot(const Calls& calls);
   void collect_statistics(const Calls& calls);
@@ -64,6 +73,10 @@ class Solver final : public LinearSolver {
 
   std::string option(const char* name, const std::string& absent = {}) const;
 
+  Solver(const std::string& options, MPI_Comm communicator, bool is_divided);
+
+  MPI_Comm communicator_;
+  bool is_divided_;
   std::map<std::string, std::string> texts_;
   Options options_;
   bool is_direct_ = false;          // preonly with a factorization
@@ -72,6 +85,7 @@ class Solver final : public LinearSolver {
   const BlockStructure* structure_ = nullptr;
   bool may_be_singular_ = false;
   std::vector<std::uint32_t> last_;
+  std::optional<Layout> layout_;
   std::optional<Problem> problem_;
   std::unique_ptr<Watch> watch_;
   std::vector<double> diagonal_;  // of A + λD

@@ -43,7 +43,7 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
   structure_ = &structure;
   const std::uint32_t eliminated = hints.eliminated_blocks;
   if (eliminated == 0 || eliminated == structure.blocks()) return inner_->analyze(structure, hints, stop);
-  const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() == Needs::kBlocks;
+  const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() != Needs::kOperator;
   auto schur = std::make_unique<Schur>(structure, hints, make_values, kept_, stop);
   if (make_values) {
     reduced_ = std::make_unique<AssembledSystem>(schur->reduced_structure(), schur->reduced_values());

@@ -4,6 +4,8 @@
 
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
+#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -211,13 +213,19 @@ TEST(Files, AnIndefiniteInformationMatrixIsRefused) {
               testing::ElementsAre(testing::HasSubstr("line 3: EDGE_POINTXY: ")));
 }
 
-TEST(Files, AFolderCannotBeLoaded) {
+/// A file that cannot be read.
+struct BrokenFile : std::streambuf {
+  int_type underflow() override { throw std::runtime_error("broken"); }
+};
+
+TEST(Files, AFolderAndABrokenFileCannotBeLoaded) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { messages.push_back(said); });
   g2o::SparseOptimizer optimizer;
   EXPECT_FALSE(optimizer.load("/"));
-  std::ifstream folder("/");
-  EXPECT_FALSE(optimizer.load(folder));
+  BrokenFile buffer;
+  std::istream broken(&buffer);
+  EXPECT_FALSE(optimizer.load(broken));
   g2o::logging::setSink({});
   EXPECT_THAT(messages, testing::ElementsAre("/ cannot be opened", "line 1: this line cannot be read"));
 }

@@ -32,17 +32,21 @@ class MpiCommandTest(CommandCase):
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
         return json.loads((self.path / "report.json").read_text(encoding="utf-8"))
 
-    def assert_same_optimum(self, graph, *arguments, numbers=(1, 2, 3, 4)):
+    def assert_same_optimum(self, graph, *arguments, numbers=(1, 2, 3, 4), in_all=(), repeats=True):
+        """Compares with one process. `in_all` are arguments for several processes only. If `repeats`, two runs have the
+        same chi2 to the last digit."""
         run("optimize", graph, "--quiet", "--json", self.path / "one.json", *arguments)
         expected = json.loads((self.path / "one.json").read_text(encoding="utf-8"))
         for processes in numbers:
-            report = self.report_of(processes, graph, *arguments)
+            report = self.report_of(processes, graph, *arguments, *in_all)
             self.assertAlmostEqual(report["chi2_final"] / expected["chi2_final"], 1, delta=1e-9)
             for same in ("edges", "rows", "scalars", "degrees_of_freedom", "gauge", "kernel"):
                 self.assertEqual(report[same], expected[same])
             self.assertEqual(report["distribution"]["processes"], processes)
             self.assertEqual(sum(report["distribution"]["edges_per_process"]), expected["edges"])
-        self.assertEqual(self.report_of(numbers[-1], graph, *arguments)["chi2_final"], report["chi2_final"])
+        if repeats:
+            again = self.report_of(numbers[-1], graph, *arguments, *in_all)
+            self.assertEqual(again["chi2_final"], report["chi2_final"])
 
     def test_reaches_the_optimum_of_one_process_on_a_street(self):
         street = self.simulated("street.bal", "ba", "--shape", "street", "--cameras", 40, "--points", 1000)
@@ -55,6 +59,41 @@ class MpiCommandTest(CommandCase):
         sphere = self.simulated("sphere.g2o", "sphere", "--poses", 400)
         self.assert_same_optimum(sphere)
         self.assert_same_optimum(sphere, "--start", "odometry", "--kernel", "Huber")
+
+    def require_petsc(self):
+        done = self.run_mpi(1, "optimize", self.simulated("tiny.g2o", "sphere", "--poses", 20), "--quiet", "--petsc", "")
+        if "built without PETSc" in done.stderr:
+            self.skipTest("PETSc is not installed")
+
+    def test_reaches_the_optimum_of_one_process_if_petsc_divides_the_system(self):
+        self.require_petsc()
+        street = self.simulated("street.bal", "ba", "--shape", "street", "--cameras", 40, "--points", 1000)
+        for arguments in ((), ("--kernel", "Huber"), ("--hold", "intrinsics"), ("--fix", "0,3")):
+            self.assert_same_optimum(street, *arguments, numbers=(1, 3), in_all=("--petsc", ""), repeats=False)
+        self.assert_same_optimum(street, numbers=(2, 4), in_all=("--petsc", "-ksp_type cg"))
+        landmarks = self.simulated("landmarks.g2o", "robot2d", "--poses", 200)  # blocks of different sizes
+        for options in ("", "-ksp_type cg"):
+            self.assert_same_optimum(landmarks, numbers=(3,), in_all=("--petsc", options), repeats=False)
+
+    def test_has_no_limit_of_kept_vertices_if_petsc_divides_the_system(self):
+        self.require_petsc()
+        town = self.simulated("town.g2o", "manhattan", "--poses", 21000)
+        refused = self.run_mpi(2, "optimize", town)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn("expected at most 20000 vertices that are not eliminated", messages(refused.stderr)[0])
+        self.assert_same_optimum(town, numbers=(2,), in_all=("--petsc", ""), repeats=False)
+
+    def test_ends_if_petsc_refuses_an_option_or_a_system(self):
+        self.require_petsc()
+        sphere = self.simulated("sphere.g2o", "sphere", "--poses", 100)
+        loose = self.written("loose.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nVERTEX_SE2 2 2 0 0\nFIX 0\n"
+                             "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0 0 1 0 0 0 0 0\n")
+        for graph, options, code, text in ((sphere, "-ksp_type nonsense", 2, "nonsense"), (sphere, "-foo 1", 2, "-foo"),
+                                           (loose, "", 0, None)):
+            done = self.run_mpi(2, "optimize", graph, "--quiet", "--petsc", options)
+            self.assertEqual(done.returncode, code, done.stderr)
+            if text is not None:
+                self.assertIn(text, messages(done.stderr)[0])
 
     def test_writes_the_graph_of_all_processes(self):
         for graph in (self.simulated("street.bal", "ba", "--cameras", 20, "--points", 300),

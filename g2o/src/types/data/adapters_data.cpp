@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/number_from_chars.h"
 #include "boxplus/base/error.h"
 
 namespace g2o {
@@ -56,7 +57,8 @@ double number_of(float value, double of_file) {
     return of_file;
   std::array<char, 32> text;
   double number = 0;
-  std::from_chars(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr, number);
+  const char* const end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  boxplus::number_from_chars(text.data(), end, number);
   return number;
 }
 

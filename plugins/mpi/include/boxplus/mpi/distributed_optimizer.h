@@ -19,7 +19,8 @@ namespace boxplus {
 /// named below.
 struct [[nodiscard]] DistributedReport : Report {
   int processes = 1;
-  /// The vertices that are not eliminated. Every process has a copy of their system.
+  /// The vertices that are not eliminated. Every process has a copy of their system, unless the solver
+  /// divides it.
   std::uint32_t kept = 0;
   /// The numbers of edges, of eliminated vertices and of kept vertices that take part in this process.
   std::uint32_t own_edges = 0, own_eliminated = 0, own_kept = 0;
@@ -46,12 +47,15 @@ struct [[nodiscard]] DistributedReport : Report {
 /// the process with the lowest rank that has failed. Errors of MPI itself, such as a process that ended, are
 /// left to the error handler of the communicator, which ends all processes unless the program changes it.
 ///
-/// Limits: at most kMostKept vertices are kept. Initial guesses need the whole graph (run()). Gauge freedom
-/// is not searched for: fix a vertex, or H is damped a little if a pivot vanishes, as by
-/// GaugePolicy::kDamp; Report::degrees_of_freedom counts it as determined. The time limit and Options::stop
-/// end a run between two iterations. Reports have no rejected edges and no findings. Steps are not computed
-/// with 32 digits. Bounds, constraints, GaugePolicy::kError, SchurMode::kImplicit, and solvers that need no
-/// matrix are refused.
+/// Options::custom_linear_solver may be a solver that needs contributions, such as that of
+/// boxplus/petsc/make_divided_petsc_solver.h. Then each process has a part of the system.
+///
+/// Limits: at most kMostKept vertices are kept, unless the solver divides their system. Initial guesses need
+/// the whole graph (run()). Gauge freedom is not searched for: fix a vertex, or H is damped a little if a
+/// pivot vanishes, as by GaugePolicy::kDamp; Report::degrees_of_freedom counts it as determined. The time
+/// limit and Options::stop end a run between two iterations. Reports have no rejected edges and no findings.
+/// Steps are not computed with 32 digits. Bounds, constraints, GaugePolicy::kError, SchurMode::kImplicit, and
+/// solvers that need no matrix are refused.
 class DistributedOptimizer {
  public:
   static constexpr std::uint32_t kMostKept = 20000;
