@@ -21,9 +21,9 @@ struct FilePart {
   std::size_t all_edges = 0;  ///< the number of edges of the whole problem
 };
 
-/// Returns nothing if only the whole file can be read: if it is not a BAL file, or has no observations. Reads
-/// the file twice. While it reads, needs 8 bytes per observation of the whole problem. Throws what
-/// read_graph() throws.
+/// Returns nothing if only the whole file can be read: if it is neither a BAL file nor a folder of COLMAP, or
+/// has no observations. While it reads, needs 8 bytes per observation of the whole problem. It reads a BAL
+/// file twice, and also holds COLMAP's points and 2-D points. Throws what read_graph() throws.
 std::optional<FilePart> read_part(const std::string& path, const ReadOptions& options, int part, int parts);
 
 }  // namespace boxplus::app

@@ -171,14 +171,18 @@ class DistributedRun {
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
     PlanRequest request{.level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
     const Gauge gauge = find_active_set(graph, request).gauge;
-    held_ = gauge.held;
+    held_ = part_ ? held_by_first(gauge.held) : gauge.held;
     freedoms_ = gauge.freedoms;
     for (const detail::GaugeVertex& held : held_) graph.fix(held.vertex);
     // A sample of the edges leaves these free, which may mislead if something is held. This policy tests all
     // edges.
     if (!freedoms_.empty() && !(arguments_.held.empty() && arguments_.fixed.empty())) {
       request.gauge = GaugePolicy::kDamp;
-      freedoms_ = find_active_set(graph, request).gauge.freedoms;
+      std::vector<detail::GaugeFreedom> tested = find_active_set(graph, request).gauge.freedoms;
+      // A component is named by its first vertex, which may be held by now.
+      for (std::size_t i = 0; i < tested.size() && tested.size() == freedoms_.size(); ++i)
+        tested[i].id = freedoms_[i].id;
+      freedoms_ = std::move(tested);
     }
     if (communicator_.size() > 1) choose_edges();
     if (!arguments_.checkpoint.empty() || (!arguments_.output.empty() && communicator_.size() > 1))
@@ -196,6 +200,21 @@ class DistributedRun {
         write_checkpoint();
       return true;
     };
+  }
+
+  /// What the first process holds. Rounding errors decide, so that other parts might lead to other vertices.
+  std::vector<detail::GaugeVertex> held_by_first(const std::vector<detail::GaugeVertex>& here) const {
+    std::vector<std::uint64_t> ids;
+    for (const detail::GaugeVertex& held : here) ids.push_back(static_cast<std::uint64_t>(held.id));
+    std::vector<int> counts;
+    ids = communicator_.gather(ids, &counts);
+    std::vector<detail::GaugeVertex> result;
+    for (const std::uint64_t word : std::span(ids).first(static_cast<std::size_t>(counts[0]))) {
+      const Id id = static_cast<Id>(word);
+      const std::optional<VertexRef> vertex = file_->graph.find_vertex(id);
+      if (vertex) result.push_back({*vertex, id});  // each part has all poses and cameras
+    }
+    return result;
   }
 
   void write_checkpoint() {
@@ -222,9 +241,9 @@ class DistributedRun {
   const std::vector<EdgeRef>& own_edges() const { return part_ ? file_->edges : options_.edges; }
 
   /// Replaces the estimates by an initial guess, which every process computes for the whole graph. There is
-  /// none for BAL problems, so that these need no second plan.
+  /// none for BAL problems, so that these need no second plan, and if this process has only a part.
   bool guess(Start start) {
-    if (file_->format == bal_format().name) return false;
+    if (part_ || file_->format == bal_format().name) return false;
     Graph& graph = file_->graph;
     const PlanRequest request{
         .level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};

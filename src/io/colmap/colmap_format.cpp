@@ -48,13 +48,17 @@ std::vector<std::string> existing_files(const std::string& folder, const Names& 
   return files;
 }
 
+bool is_binary(const std::string& folder) {
+  return !existing_files(folder, kNames, false).empty();
+}
+
 std::unique_ptr<ModelInput> open(const std::string& folder, ModelFile file, bool is_text) {
   TextSource source =
       TextSource::of_file(path_of(folder, kAllNames[static_cast<std::size_t>(file)], is_text));
   return is_text ? text_input(std::move(source)) : binary_input(std::move(source), file);
 }
 
-GraphFile read(const std::string& folder, bool is_text) {
+SparseModel read_files(const std::string& folder, bool is_text) {
   std::unique_ptr<ModelInput> cameras, images, points, rigs, frames;
   open_together(folder, [&] {
     cameras = open(folder, ModelFile::kCameras, is_text);
@@ -66,7 +70,11 @@ GraphFile read(const std::string& folder, bool is_text) {
   });
   SparseModel model = read_model(*cameras, *images, *points);
   if (frames) read_frames(*rigs, *frames, model);
-  GraphFile file = graph_of(std::move(model));
+  return model;
+}
+
+GraphFile read(const std::string& folder, bool is_text) {
+  GraphFile file = graph_of(read_files(folder, is_text));
   for (std::string& text : unusual_parts(*file.model)) file.notes.push_back({0, std::move(text)});
   return file;
 }
@@ -126,7 +134,7 @@ void write(const GraphFileView& file, const std::string& folder, bool is_text) {
 
 FileFormat format(const char* name, bool is_text) {
   const auto is_model = [is_text](const std::string& folder) {
-    const bool has_binary = !existing_files(folder, kNames, false).empty();
+    const bool has_binary = is_binary(folder);
     return is_text ? !has_binary && !existing_files(folder, kNames, true).empty() : has_binary;
   };
   return {
@@ -142,6 +150,10 @@ FileFormat format(const char* name, bool is_text) {
 }
 
 }  // namespace
+
+SparseModel read_colmap(const std::string& folder) {
+  return read_files(folder, !is_binary(folder));
+}
 
 FileFormat colmap_format() {
   return format("COLMAP", false);

@@ -4,11 +4,17 @@
 // folder has both, the binary files are read, as in COLMAP.
 #pragma once
 
+#include <string>
+
 #include "boxplus/io/file_format.h"
+#include "boxplus/io/sparse_model.h"
 
 namespace boxplus {
 
 FileFormat colmap_format();
 FileFormat colmap_text_format();
+
+/// The model in a folder that one of these formats recognizes. Throws what read_graph() throws.
+SparseModel read_colmap(const std::string& folder);
 
 }  // namespace boxplus

@@ -55,6 +55,19 @@ class MpiCommandTest(CommandCase):
         for arguments in (("--hold", "intrinsics"), ("--hold", "points"), ("--fix", "0,3"), ("--pixel-sigma", 2)):
             self.assert_same_optimum(street, *arguments, numbers=(3,))
 
+    def test_reaches_the_optimum_of_one_process_on_a_model_of_colmap(self):
+        (self.path / "model").mkdir()
+        model = self.simulated("model", "ba", "--shape", "street", "--cameras", 40, "--points", 1000)
+        self.assert_same_optimum(model)
+        self.assert_same_optimum(model, "--kernel", "Huber", "--hold", "intrinsics", numbers=(3,))
+        text = self.path / "text"
+        self.assertEqual(run("convert", model, text, "--format", "colmap-text").returncode, 0)
+        self.assert_same_optimum(text, numbers=(2,))
+        output = self.path / "optimized"
+        report = self.report_of(3, model, "-o", f"{output}/")
+        again = run("optimize", output, "--iterations", 0, "--quiet", "--json", "-")
+        self.assertAlmostEqual(json.loads(again.stdout)["chi2_final"] / report["chi2_final"], 1, delta=1e-9)
+
     def test_reaches_the_optimum_of_one_process_on_a_sphere(self):
         sphere = self.simulated("sphere.g2o", "sphere", "--poses", 400)
         self.assert_same_optimum(sphere)
@@ -120,13 +133,16 @@ class MpiCommandTest(CommandCase):
         lines += 2 * values[:9 * cameras] + 2 * values[9 * cameras:]
         return self.written("twice.bal", "\n".join(lines) + "\n")
 
-    def test_holds_a_part_of_a_bal_problem_in_each_process(self):
+    def test_holds_a_part_of_a_bal_problem_or_a_model_of_colmap_in_each_process(self):
         tiny = self.simulated("tiny.bal", "ba", "--cameras", 8, "--points", 100)
         street = self.simulated("street.bal", "ba", "--cameras", 100, "--points", 60000)
+        (self.path / "model").mkdir()
+        model = self.simulated("model", "ba", "--cameras", 100, "--points", 60000)
         def memory(processes, graph):
             return max(self.report_of(processes, graph)["distribution"]["peak_bytes_per_process"])
-        of_one, of_four = (memory(n, street) - memory(n, tiny) for n in (1, 4))
-        self.assertLess(of_four, 0.35 * of_one)
+        for graph in (street, model):
+            of_one, of_four = (memory(n, graph) - memory(n, tiny) for n in (1, 4))
+            self.assertLess(of_four, 0.35 * of_one)
 
     def test_goes_on_from_a_checkpoint(self):
         checkpoint = self.path / "checkpoint"
