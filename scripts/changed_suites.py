@@ -15,8 +15,8 @@ import sys
 
 import check_includes
 
-CORE = ("base", "kernels", "manifold", "autodiff", "robust", "graph", "linear", "gauge", "plan", "linearize", "system", "algorithm",
-        "optimize", "incremental", "io")
+CORE = ("platform", "base", "kernels", "manifold", "autodiff", "robust", "graph", "linear", "gauge", "plan", "linearize", "system",
+        "algorithm", "optimize", "incremental", "io")
 G2O = "g2o_core"
 BUILD = ("cmake", "scripts/debian-packages")  # beginnings of paths that every suite depends on
 IGNORED = (".md", ".py", ".pyi", ".ts", ".mjs", ".css", ".html")

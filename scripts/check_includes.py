@@ -27,16 +27,17 @@ import sys
 # The files of the folder on the left may include files of their own folder and of the folders on the right. The
 # lowest folder comes first. ARCHITECTURE.md explains the order.
 ALLOWED = {
-    "base": "",
+    "platform": "",
+    "base": "platform",
     "kernels": "",
     "autodiff": "base",
     "manifold": "base autodiff",
     "robust": "base",
     "graph": "base kernels manifold autodiff robust",
-    "linear": "base kernels",
+    "linear": "base platform kernels",
     "gauge": "base manifold autodiff robust graph",
     "options": "base graph linear gauge",
-    "plan": "base manifold autodiff robust graph linear gauge",
+    "plan": "base platform manifold autodiff robust graph linear gauge",
     "linearize": "base kernels manifold autodiff robust graph linear plan",
     "system": "base graph linear gauge options plan linearize",
     "algorithm": "base linear options system",
@@ -50,10 +51,11 @@ ALLOWED = {
     "types": "base kernels manifold autodiff robust graph covariance",
     "incremental":
         "base autodiff robust graph linear gauge options plan linearize optimize outliers types",
-    "io": "base manifold autodiff robust graph types",
+    "io": "base platform manifold autodiff robust graph types",
     "trajectory": "base manifold autodiff robust graph types io",
     # A library of its own.
-    "viewer": "base manifold graph linear options plan covariance diagnose optimize outliers settings types io trajectory",
+    "viewer":
+        "base platform manifold graph linear options plan covariance diagnose optimize outliers settings types io trajectory",
     # Checkers and simulators with which users test their own types.
     "testing": "base manifold autodiff robust graph types",
 }

@@ -8,6 +8,7 @@ Quiet: no source of the library prints, exits or aborts. (The g2o API prints err
 may print.)
 Permissive: each file has the license of the project, and includes headers of other libraries only if the table below
 has them. The opt-in solvers of the g2o API alone may include the headers of CHOLMOD and CXSparse.
+Portable: what depends on the operating system is in src/platform/.
 Stable: a deprecated name says what to use instead, and the changelog has a section for the version of the project,
 which package.xml has, too (docs/versions.md).
 """
@@ -38,8 +39,17 @@ MAY_INCLUDE = {
 NOT_BY_DEFAULT = ("cholmod.h", "cs.h", "suitesparse/cholmod.h", "suitesparse/cs.h")
 OPT_IN = ("g2o/src/solvers/suitesparse/", "g2o/include/g2o/solvers/cholmod/cholmod_ext.h",
           "g2o/include/g2o/solvers/csparse/csparse_helper.h")
-SYSTEM = re.compile(r"[a-z0-9_]+|sys/\w+\.h|(?:boxplus|g2o)/.*"
-                    r"|(?:arm_neon|cxxabi|dlfcn|fcntl|fnmatch|immintrin|poll|pthread|signal|spawn|termios|unistd)\.h")
+OPERATING_SYSTEM = re.compile(r"sys/\w+\.h|(?:dlfcn|fcntl|fnmatch|poll|pthread|signal|spawn|termios|unistd)\.h")
+SYSTEM = re.compile(rf"[a-z0-9_]+|{OPERATING_SYSTEM.pattern}|(?:boxplus|g2o)/.*|(?:arm_neon|cxxabi|immintrin)\.h")
+
+# The sources that must run on any operating system, the folder for the others, and exceptions, each with its reason.
+PORTABLE = ("include", "src", "viewer", "apps/boxplus")
+PLATFORM = "src/platform/"
+NOT_PORTABLE = {
+    ("viewer/server/server.cpp", "sys/socket.h"): "httplib.h passes a socket to a function that sets options of it.",
+}
+# Names of POSIX that headers of the C++ standard declare, too.
+POSIX = re.compile(r"\bsig(?:action|set_t|wait)\b|\bSIG(?:HUP|KILL)\b|\bmk(?:d|s|os)temp\b|\bPATH_MAX\b|\benviron\b")
 
 DEPRECATED = re.compile(r"\[\[deprecated(?!\(\"use )")
 VERSION = re.compile(r"^project\(boxplus VERSION ([0-9.]+)", re.MULTILINE)
@@ -80,6 +90,19 @@ def violations(root):
                 yield f"{path}:{line}: the library must not print, exit or abort ({match[0].rstrip(' (')})"
 
 
+def not_portable(root):
+    files = [file for folder in PORTABLE for file in cpp_files(root, folder)]
+    for file in files:
+        path = file.relative_to(root).as_posix()
+        code = COMMENT_OR_TEXT.sub(blank, file.read_text(encoding="utf-8"))
+        headers = [match for match in INCLUDE.finditer(code) if OPERATING_SYSTEM.fullmatch(match[1])]
+        for match in [] if path.startswith(PLATFORM) else [*headers, *POSIX.finditer(code)]:
+            name = match[match.lastindex or 0]
+            if (path, name) not in NOT_PORTABLE:
+                line = code.count("\n", 0, match.end()) + 1
+                yield f"{path}:{line}: only {PLATFORM} may use {name}"
+
+
 def unstable(root):
     for folder in ("include", "g2o/include"):
         for file in cpp_files(root, folder):
@@ -98,7 +121,7 @@ def unstable(root):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
-    found = [*violations(root), *unstable(root)]
+    found = [*violations(root), *not_portable(root), *unstable(root)]
     print(*found, sep="\n", end="\n" if found else "")
     return 1 if found else 0
 

@@ -21,7 +21,7 @@
 #include "command_line/message.h"
 #include "command_line/usage_error.h"
 #include "files/clean_end.h"
-#include "files/standard_streams.h"
+#include "platform/standard_streams.h"
 
 namespace boxplus::app {
 namespace {
@@ -86,7 +86,7 @@ int run(int argc, char** argv) {
 }  // namespace boxplus::app
 
 int main(int argc, char** argv) {
-  boxplus::app::reserve_standard_streams();
+  boxplus::reserve_standard_streams();
   boxplus::app::end_cleanly_on_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // so that exceeding `ulimit -f` is a write error, like a full disk
   try {

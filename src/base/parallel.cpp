@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/base/parallel.h"
 
-#include <pthread.h>
-
 #include <atomic>
 #include <cfenv>
 #include <chrono>
@@ -15,6 +13,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "platform/process.h"
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
@@ -179,7 +179,7 @@ class Pool {
 /// the parent's pool.
 Pool& pool() {
   static Pool* instance = [] {
-    pthread_atfork(nullptr, nullptr, [] { instance = new Pool(); });
+    after_fork([] { instance = new Pool(); });
     return new Pool();
   }();
   return *instance;

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/file_set.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <deque>
 #include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "boxplus/base/error.h"
 #include "io/replacement.h"
+#include "platform/files.h"
+#include "platform/process.h"
 
 namespace boxplus {
 namespace {
@@ -28,23 +26,21 @@ std::string unfinished_path(const std::string& folder) {
 }
 
 /// An open folder, which has a lock until it is closed.
-FileDescriptor locked(const std::string& folder, int kind) {
-  FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+FileDescriptor locked(const std::string& folder, FolderLock lock) {
+  FileDescriptor file = open_folder(folder, lock);
   if (!file.is_open()) fail_at(folder, "cannot be opened", errno);
-  while (::flock(file.value(), kind) != 0 && errno == EINTR) {
-  }
   return file;
 }
 
-bool exists(const std::string& path) {
-  struct stat status {};
-  return ::lstat(path.c_str(), &status) == 0;
+bool is_taken(const std::filesystem::path& path) {
+  std::error_code none;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, none));
 }
 
 std::string unused_name(const std::string& target) {
   std::string name;
-  for (unsigned i = 0; name.empty() || exists(name); ++i)
-    name = fmt::format("{}.{}.{}", target, ::getpid(), i);
+  for (unsigned i = 0; name.empty() || is_taken(name); ++i)
+    name = fmt::format("{}.{}.{}", target, process_id(), i);
   return name;
 }
 
@@ -58,24 +54,24 @@ class FileRenames {
   }
 
   void run() {
-    const bool was_unfinished = exists(unfinished_path(folder_));
+    const bool was_unfinished = is_taken(unfinished_path(folder_));
     try {
-      const FileDescriptor folder = locked(folder_, LOCK_EX);
+      const FileDescriptor folder = locked(folder_, FolderLock::kExclusive);
       announce();
-      ::fsync(folder.value());
+      folder.flush();
       for (Step& step : steps_) take_place(step);
-      ::fsync(folder.value());
+      folder.flush();
     } catch (...) {
-      if (put_back() && !was_unfinished) ::unlink(unfinished_path(folder_).c_str());
+      if (put_back() && !was_unfinished) remove_file(unfinished_path(folder_).c_str());
       throw;
     }
-    ::unlink(unfinished_path(folder_).c_str());
-    for (const Step& step : steps_) ::unlink(step.old.c_str());
+    remove_file(unfinished_path(folder_).c_str());
+    for (const Step& step : steps_) remove_file(step.old.c_str());
   }
 
  private:
   struct Step {
-    std::string target, fresh, old;  // old: a second name of the old file, or of no file
+    std::filesystem::path target, fresh, old;  // old: a second name of the old file, or of no file
     bool has_old = false, is_done = false;
   };
 
@@ -84,29 +80,33 @@ class FileRenames {
         "boxplus was interrupted while it replaced files of this folder. Old and new files may be mixed.\n"
         "To get the new files, rename each file on the left that exists:\n";
     for (Step& step : steps_) {
-      step.old = unused_name(step.target);
-      text += fmt::format("  {} -> {}\n", step.fresh, step.target);
+      step.old = unused_name(step.target.string());
+      text += fmt::format("  {} -> {}\n", step.fresh.string(), step.target.string());
     }
     text +=
         "To get the old files, rename each file on the left that exists, and remove the others on the "
         "right:\n";
-    for (const Step& step : steps_) text += fmt::format("  {} -> {}\n", step.old, step.target);
+    for (const Step& step : steps_)
+      text += fmt::format("  {} -> {}\n", step.old.string(), step.target.string());
     text += "Then remove this file.\n";
     const std::string path = unfinished_path(folder_);
-    const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+    const FileDescriptor file = open_to_append(path);
     if (!file.is_open()) fail(path, errno);
     write_to(file, path, [&](TextSink sink) { sink(text); });
   }
 
   static void take_place(Step& step) {
-    const char *target = step.target.c_str(), *old = step.old.c_str();
-    require_regular(step.target);
-    if (exists(step.target)) {
+    std::error_code error;
+    require_regular(step.target.string());
+    if (is_taken(step.target)) {
+      std::filesystem::create_hard_link(step.target, step.old, error);
       // Not all file systems support a second name.
-      if (::link(target, old) != 0 && ::rename(target, old) != 0) fail(step.target, errno);
+      if (error) std::filesystem::rename(step.target, step.old, error);
+      if (error) fail(step.target.string(), error.value());
       step.has_old = true;
     }
-    if (::rename(step.fresh.c_str(), target) != 0) fail(step.target, errno);
+    std::filesystem::rename(step.fresh, step.target, error);
+    if (error) fail(step.target.string(), error.value());
     step.is_done = true;
   }
 
@@ -114,13 +114,14 @@ class FileRenames {
   bool put_back() noexcept {
     bool is_as_before = true;
     for (const Step& step : steps_) {
-      const char* target = step.target.c_str();
-      if (!step.is_done) ::unlink(step.fresh.c_str());
+      if (!step.is_done) remove_file(step.fresh.c_str());
       if (step.has_old) {
-        is_as_before &= ::rename(step.old.c_str(), target) == 0;
-        ::unlink(step.old.c_str());  // rename() keeps both names of the same file
+        std::error_code error;
+        std::filesystem::rename(step.old, step.target, error);
+        is_as_before &= !error;
+        remove_file(step.old.c_str());  // rename() keeps both names of the same file
       } else if (step.is_done) {
-        is_as_before &= ::unlink(target) == 0;
+        is_as_before &= remove_file(step.target.c_str());
       }
     }
     return is_as_before;
@@ -133,12 +134,13 @@ class FileRenames {
 }  // namespace
 
 void require_regular(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode)) return;
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(path, none);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
   throw FileError(fmt::format("{}: cannot be written: expected a regular file or none, got {}", path,
-                              S_ISDIR(status.st_mode)    ? "a folder"
-                              : S_ISFIFO(status.st_mode) ? "a pipe"
-                                                         : "a special file"));
+                              std::filesystem::is_directory(status) ? "a folder"
+                              : std::filesystem::is_fifo(status)    ? "a pipe"
+                                                                    : "a special file"));
 }
 
 void replace_together(const std::string& folder, std::span<const NewFile> files) {
@@ -150,8 +152,8 @@ void replace_together(const std::string& folder, std::span<const NewFile> files)
 }
 
 void open_together(const std::string& folder, detail::FunctionRef<void()> open) {
-  const FileDescriptor lock = locked(folder, LOCK_SH);
-  if (exists(unfinished_path(folder)))
+  const FileDescriptor lock = locked(folder, FolderLock::kShared);
+  if (is_taken(unfinished_path(folder)))
     throw FileError(fmt::format(
         "{}: expected files that were written together, but writing them was interrupted, so that "
         "old and new files may be mixed; {} in this folder lists the files to rename",

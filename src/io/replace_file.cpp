@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/replace_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -16,16 +12,17 @@
 namespace boxplus {
 namespace {
 
+/// Whether it is a pipe or a device.
 bool is_special_file(const std::string& path) {
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+  std::error_code none;
+  return std::filesystem::is_other(path, none);
 }
 
 }  // namespace
 
 void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> write) {
   if (is_special_file(path)) {
-    const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    const FileDescriptor file = open_to_write(path);
     if (!file.is_open()) fail_at(path, "cannot be written", errno);
     write_to(file, path, write);
     return;
@@ -37,7 +34,7 @@ void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> w
 
 void require_writable(const std::string& path) {
   if (is_special_file(path)) {
-    if (::access(path.c_str(), W_OK) != 0) fail_at(path, "cannot be written", errno);
+    if (!may_write(path)) fail_at(path, "cannot be written", errno);
     return;
   }
   std::error_code none;

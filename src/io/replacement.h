@@ -31,9 +31,6 @@ class Replacement {
   void take_place();
 
  private:
-  FileDescriptor make_named();
-  bool has_name();
-
   std::string path_, target_;
   TemporaryName name_;
   FileDescriptor file_;

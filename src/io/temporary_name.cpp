@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/temporary_name.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
-#include <climits>
 #include <cstring>
 #include <utility>
 
 #include "boxplus/io/write_file.h"
+#include "platform/files.h"
 
 namespace boxplus {
 namespace {
+
+constexpr std::size_t kLongestName = 4096;  // of a path, with a zero at its end
 
 /// A copy of the name of a temporary file. A signal handler can read it at any time, because it is static and
 /// never freed.
 struct Slot {
   enum State : char { kFree, kChanging, kHolds };
   std::atomic<State> state{kFree};
-  std::array<char, PATH_MAX> name{};
+  std::array<char, kLongestName> name{};
 };
 static_assert(std::atomic<Slot::State>::is_always_lock_free, "signal handlers must not wait for locks");
 
@@ -29,7 +29,7 @@ std::array<Slot, kSlots> slots;
 /// Copies `name` to a free slot. Returns the index of the slot, or -1 if no slot is free or the name is too
 /// long.
 int find_slot(const std::string& name) {
-  if (name.size() >= PATH_MAX) return -1;
+  if (name.size() >= kLongestName) return -1;
   for (int k = 0; k < kSlots; ++k) {
     Slot& slot = slots[k];
     Slot::State expected = Slot::kFree;
@@ -44,7 +44,7 @@ int find_slot(const std::string& name) {
 }  // namespace
 
 TemporaryName::~TemporaryName() {
-  if (!name_.empty()) ::unlink(name_.c_str());
+  if (!name_.empty()) remove_file(name_.c_str());
   release();
 }
 
@@ -61,7 +61,7 @@ void TemporaryName::release() {
 
 void remove_temporary_files() noexcept {
   for (const Slot& slot : slots) {
-    if (slot.state == Slot::kHolds) ::unlink(slot.name.data());
+    if (slot.state == Slot::kHolds) remove_file(slot.name.data());
   }
 }
 

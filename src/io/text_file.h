@@ -3,35 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include "boxplus/base/function_ref.h"
 #include "boxplus/io/text_sink.h"
+#include "platform/files.h"
 
 namespace boxplus {
-
-/// An open file, which is closed when this object is destroyed.
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int value = -1) : value_(value) {}
-  FileDescriptor(FileDescriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-    std::swap(value_, other.value_);
-    return *this;
-  }
-  ~FileDescriptor();
-
-  bool is_open() const { return value_ >= 0; }
-  int value() const { return value_; }
-  /// The size of a regular file; nullopt for a pipe, a device, or a file that reports a size of 0.
-  std::optional<std::size_t> regular_size() const;
-
- private:
-  int value_;
-};
 
 /// Throws FileError: "path: what: the text of errno's value `error`".
 [[noreturn]] void fail_at(const std::string& path, const char* what, int error);

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/unpacked_text.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "boxplus/base/error.h"
 #include "io/gzip.h"
+#include "platform/files.h"
 
 namespace boxplus {
 namespace {
@@ -20,16 +18,17 @@ namespace {
 /// Longer texts are in a temporary file.
 constexpr std::size_t kLongestInMemory = std::size_t{1} << 26;
 
+[[noreturn]] void fail_to_unpack(const std::string& path, int error) {
+  fail_at(path, "cannot be unpacked into the folder of temporary files", error);
+}
+
 FileDescriptor make_temporary(const std::string& path) {
   std::error_code none;
-  std::string folder = std::filesystem::temp_directory_path(none).string();
-  if (folder.empty()) folder = "/tmp";
-  FileDescriptor file(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
-  if (file.is_open()) return file;
-  std::string name = folder + "/boxplus.XXXXXX";  // the file system has no files without a name
-  file = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
-  if (!file.is_open()) fail_at(path, "cannot be unpacked into the folder of temporary files", errno);
-  ::unlink(name.c_str());
+  const std::string folder = std::filesystem::temp_directory_path(none).string();
+  std::string name;
+  FileDescriptor file = create_beside((folder.empty() ? "/tmp" : folder) + "/boxplus", name);
+  if (!file.is_open()) fail_to_unpack(path, errno);
+  if (!name.empty()) remove_file(name.c_str());
   return file;
 }
 
@@ -58,12 +57,7 @@ class Unpacker {
 
  private:
   void write(std::string_view text) const {
-    while (!text.empty()) {
-      const ssize_t count = ::write(result_.file.value(), text.data(), text.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail_at(path_, "cannot be unpacked into the folder of temporary files", errno);
-      text.remove_prefix(static_cast<std::size_t>(count));
-    }
+    if (!result_.file.write(text)) fail_to_unpack(path_, errno);
   }
 
   const std::string& path_;

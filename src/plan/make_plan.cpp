@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "base/paced_stop.h"
-#include "linear/automatic/physical_memory.h"
 #include "plan/active_set.h"
 #include "plan/chunks.h"
 #include "plan/dense_scratch.h"
 #include "plan/fixed_directions.h"
 #include "plan/plan.h"
+#include "platform/memory.h"
 
 namespace boxplus {
 namespace {

@@ -74,9 +74,18 @@ class CheckSources(unittest.TestCase):
     def test_only_opt_in_solvers_may_include_cholmod(self):
         self.assertEqual(check({"g2o/src/solvers/suitesparse/a.cpp": "#include <cholmod.h>\n"}), (0, []))
 
-    def test_headers_of_the_standard_of_the_system_and_of_the_project_are_allowed(self):
-        self.assertEqual(check({"src/a.cpp": "#include <vector>\n#include <sys/stat.h>\n#include <unistd.h>\n#include <boxplus/a.h>\n"
+    def test_headers_of_the_standard_of_the_compiler_and_of_the_project_are_allowed(self):
+        self.assertEqual(check({"src/a.cpp": "#include <vector>\n#include <cxxabi.h>\n#include <boxplus/a.h>\n"
                                              "#include <Eigen/Core>\n#include <amd.h>\n"}), (0, []))
+
+    def test_only_the_folder_platform_may_use_the_operating_system(self):
+        posix = "#include <unistd.h>\n#include <sys/stat.h>\nsigaction(SIGINT, nullptr, &old);\n"
+        for name in ("include/boxplus/a.h", "src/io/a.cpp", "viewer/a.cpp", "apps/boxplus/a.h"):
+            self.assertEqual(check({name: posix}), (1, [f"{name}:{line}: only src/platform/ may use {used}" for line, used in
+                                                        ((2, "unistd.h"), (3, "sys/stat.h"), (4, "sigaction"))]))
+        self.assertEqual(check({"src/platform/a.cpp": posix, "g2o/src/a.cpp": posix, "plugins/mpi/src/a.cpp": posix,
+                                "src/a.cpp": "#include <csignal>\nstd::signal(SIGINT, SIG_IGN);  // not sigaction()\n",
+                                "viewer/server/server.cpp": "#include <sys/socket.h>\n"}), (0, []))
 
     def test_a_file_without_the_license_is_reported(self):
         with tempfile.TemporaryDirectory() as root:

@@ -2,13 +2,12 @@
 #include "viewer/server/guard.h"
 
 #include <fmt/format.h>
-#include <sys/random.h>
-#include <unistd.h>
 
 #include <array>
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "platform/process.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -61,9 +60,8 @@ std::optional<Refusal> Guard::check(const RequestFacts& request) const {
 
 std::string Guard::url() const {
   if (is_any_) {  // not an address to open; others reach the machine by its name
-    std::array<char, 256> name{};
-    if (gethostname(name.data(), name.size() - 1) == 0)
-      return fmt::format("http://{}:{}/?token={}", name.data(), port_, token_);
+    if (const std::optional<std::string> name = host_name())
+      return fmt::format("http://{}:{}/?token={}", *name, port_, token_);
   }
   const std::string host = host_.find(':') == std::string::npos ? host_ : "[" + host_ + "]";
   return is_loopback_ ? fmt::format("http://{}:{}/", host, port_)
@@ -72,8 +70,7 @@ std::string Guard::url() const {
 
 std::string make_token() {
   std::array<unsigned char, 16> bytes;
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw Error("the system has no random numbers for the viewer's token");
+  if (!fill_randomly(bytes)) throw Error("the system has no random numbers for the viewer's token");
   std::string token;
   for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
   return token;

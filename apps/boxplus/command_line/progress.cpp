@@ -2,23 +2,21 @@
 #include "command_line/progress.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "command_line/message.h"
+#include "platform/standard_streams.h"
 
 namespace boxplus::app {
 namespace {
 
 /// Returns the number of columns of the terminal. A longer line would wrap, and could not be overwritten.
 std::size_t terminal_columns() {
-  winsize size{};
-  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
+  const std::size_t columns = stderr_columns();
+  return columns > 0 ? columns : 80;
 }
 
 /// Returns the first `size` bytes of the text, or fewer if the last character would be incomplete.
@@ -36,7 +34,7 @@ std::string line_of(const IterationRecord& record) {
 
 ProgressKind choose_progress(bool quiet, bool verbose) {
   if (verbose) return ProgressKind::kLines;
-  return !quiet && ::isatty(STDERR_FILENO) == 1 ? ProgressKind::kLive : ProgressKind::kNone;
+  return !quiet && stderr_is_terminal() ? ProgressKind::kLive : ProgressKind::kNone;
 }
 
 Progress::Progress(ProgressKind kind) : kind_(kind) {

@@ -4,11 +4,12 @@
 #include <csignal>
 
 #include "boxplus/io/write_file.h"
+#include "platform/signals.h"
 
 namespace boxplus::app {
 
 void end_cleanly_on_signals() {
-  for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int each : kEndSignals) {
     if (std::signal(each, end_cleanly) == SIG_IGN) std::signal(each, SIG_IGN);
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/interrupt.h"
 
+#include <csignal>
+
 #include "files/clean_end.h"
 
 namespace boxplus::app {
@@ -16,27 +18,23 @@ extern "C" void raise_flag(int /*signal*/) {
   std::signal(SIGTERM, end_cleanly);
 }
 
-void install(int signal, struct sigaction& old) {
-  sigaction(signal, nullptr, &old);
-  if (old.sa_handler == SIG_IGN) return;
-  struct sigaction action {};
-  action.sa_handler = raise_flag;
-  action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
-  sigaction(signal, &action, nullptr);
+auto install(int signal) {
+  const auto old = std::signal(signal, raise_flag);
+  if (old == SIG_IGN) std::signal(signal, SIG_IGN);
+  return old;
 }
 
 }  // namespace
 
 Interrupt::Interrupt() {
   interrupted.store(false);
-  install(SIGINT, old_interrupt_);
-  install(SIGTERM, old_terminate_);
+  old_interrupt_ = install(SIGINT);
+  old_terminate_ = install(SIGTERM);
 }
 
 Interrupt::~Interrupt() {
-  sigaction(SIGINT, &old_interrupt_, nullptr);
-  sigaction(SIGTERM, &old_terminate_, nullptr);
+  std::signal(SIGINT, old_interrupt_);
+  std::signal(SIGTERM, old_terminate_);
 }
 
 const std::atomic<bool>* Interrupt::flag() {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <csignal>
 
 namespace boxplus::app {
 
@@ -21,8 +20,8 @@ class Interrupt {
   static bool raised() { return flag()->load(); }
 
  private:
-  using SignalAction = struct sigaction;
-  SignalAction old_interrupt_{}, old_terminate_{};
+  using Handler = void (*)(int);
+  Handler old_interrupt_, old_terminate_;
 };
 
 }  // namespace boxplus::app

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/petsc_plugin.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <filesystem>
 
 #include "boxplus/base/error.h"
 #include "io/printable.h"
+#include "platform/process.h"
 
 namespace boxplus::app {
 namespace {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 /// The plug-in in a folder for libraries beside the folder of the program, or an empty path.
 fs::path find_plugin() {
   std::error_code error;
-  const fs::path above = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  const fs::path above = program_path().parent_path().parent_path();
   for (const char* folder : {"lib", BOXPLUS_LIBRARY_FOLDER}) {
     const fs::path path = above / folder / "boxplus" / "boxplus_petsc.so";
     if (fs::exists(path, error)) return path;
@@ -34,10 +34,10 @@ void* find_in_petsc_plugin(const char* function) {
         "--petsc: this boxplus was built without PETSc; install the packages of "
         "scripts/debian-packages-mpi.txt, and build it again");
   // Never closed, because PETSc ends when the program exits.
-  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const found = library != nullptr ? dlsym(library, function) : nullptr;
+  std::string error;
+  void* const found = load_function(path.string(), function, error);
   if (found == nullptr)
-    throw FileError(fmt::format("{} cannot be loaded: {}", escaped(path.string()), escaped(dlerror())));
+    throw FileError(fmt::format("{} cannot be loaded: {}", escaped(path.string()), escaped(error)));
   return found;
 }
 

@@ -24,9 +24,7 @@ LiveView::LiveView(GraphFile& file, const std::string& path, const ServingArgume
   workspace_.show(std::make_unique<viewer::GraphSubject>(file.graph, shown_name(path), &file, drawn));
   workspace_.hold();
   print_message(fmt::format("view it at {}", server_.url()));
-  sigset_t none;
-  sigemptyset(&none);
-  if (arguments.opens_browser) open_browser(server_.url(), none);
+  if (arguments.opens_browser) open_browser(server_.url(), {});
 }
 
 void LiveView::wait_for_page() const {

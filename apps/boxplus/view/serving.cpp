@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view/serving.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -17,6 +13,7 @@
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
+#include "platform/process.h"
 
 namespace boxplus::app {
 
@@ -42,22 +39,8 @@ std::string shown_name(const std::string& path) {
   return (file.has_filename() ? file : file.parent_path()).filename().string();
 }
 
-void open_browser(const std::string& url, const sigset_t& signals) {
-  std::string program = "xdg-open", address = url;
-  std::array<char*, 3> arguments{program.data(), address.data(), nullptr};
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_RDWR, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setsigmask(&attributes, &signals);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  pid_t process = 0;
-  if (posix_spawnp(&process, program.c_str(), &files, &attributes, arguments.data(), environ) != 0)
-    print_message("--open: xdg-open was not found, so open the URL yourself");
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
+void open_browser(const std::string& url, const SignalSet& signals) {
+  if (!start_browser(url, signals)) print_message("--open: xdg-open was not found, so open the URL yourself");
 }
 
 void end_soon(int code) {

@@ -2,10 +2,9 @@
 // What the sub-commands that serve a page have in common.
 #pragma once
 
-#include <signal.h>
-
 #include <string>
 
+#include "platform/signals.h"
 #include "viewer/server/server.h"
 
 namespace CLI {
@@ -27,7 +26,7 @@ void add_serving_options(CLI::App& command, ServingArguments& arguments, CLI::Op
 std::string shown_name(const std::string& path);
 
 /// Opens the URL with the user's browser. The browser's output is dropped, and it blocks only `signals`.
-void open_browser(const std::string& url, const sigset_t& signals);
+void open_browser(const std::string& url, const SignalSet& signals);
 
 /// Ends the process with this code if its threads have not ended after a while: a parser or a slow client may
 /// take long, and there is nothing to save.

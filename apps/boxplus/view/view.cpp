@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // boxplus view [FILE]: shows a graph in a browser.
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -17,6 +16,7 @@
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "files/trajectory_input.h"
+#include "platform/signals.h"
 #include "view/serving.h"
 #include "viewer/server/server.h"
 #include "viewer/workspace/workspace.h"
@@ -29,30 +29,6 @@ struct ViewArguments : ServingArguments {
   ReadOptions reading;
 };
 
-/// While it exists, the signals that end the command wait for next() instead. Threads that are created in the
-/// meantime do not receive them either.
-class EndSignals {
- public:
-  EndSignals() {
-    sigemptyset(&signals_);
-    for (const int each : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals_, each);
-    pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-  }
-  ~EndSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  EndSignals(const EndSignals&) = delete;
-  EndSignals& operator=(const EndSignals&) = delete;
-
-  void next() const {
-    int signal = 0;
-    while (sigwait(&signals_, &signal) != 0) {
-    }
-  }
-  const sigset_t& before() const { return before_; }
-
- private:
-  sigset_t signals_, before_;
-};
-
 int view_file(const ViewArguments& arguments) {
   if (arguments.input == kStandardStream && arguments.truth == kStandardStream)
     throw InvalidArgument("view: expected at most one file from standard input, got '-' twice");
@@ -61,7 +37,7 @@ int view_file(const ViewArguments& arguments) {
   if (!arguments.input.empty()) file = load_graph(arguments.input, arguments.reading);
   if (!arguments.truth.empty())
     truth.emplace(read_truth(arguments.truth, arguments.reading), shown_name(arguments.truth));
-  const EndSignals signals;  // before the threads of the workspace and of the server
+  const HeldEndSignals signals;  // before the threads of the workspace and of the server
   viewer::Workspace workspace;
   if (file) workspace.show(std::move(*file), shown_name(arguments.input), std::move(truth));
   const viewer::Server server(workspace, arguments.server);

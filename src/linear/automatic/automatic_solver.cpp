@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "linear/automatic/physical_memory.h"
+#include "platform/memory.h"
 
 namespace boxplus {
 namespace {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/automatic/physical_memory.h"
+#include "platform/memory.h"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -56,6 +58,20 @@ std::uint64_t physical_memory(const std::filesystem::path& root) {
   const std::uint64_t machine = memory_of_machine(), limit = limit_of_groups(root);
   if (machine == 0) return limit == kUnlimited ? 0 : limit;
   return std::min(machine, limit);
+}
+
+void use_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(MADV_HUGEPAGE)
+  // Rounds the range inward to whole large pages, because other objects may use the rest of the first and the
+  // last page.
+  constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
+  const auto address = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage, end = (address + bytes) / kPage * kPage;
+  if (begin >= end) return;
+  const int error = errno;  // restored below, because a system without large pages is not an error
+  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  errno = error;
+#endif
 }
 
 }  // namespace boxplus

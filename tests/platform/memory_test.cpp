@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/automatic/physical_memory.h"
+#include "platform/memory.h"
 
 #include <gtest/gtest.h>
 
