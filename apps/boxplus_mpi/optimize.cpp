@@ -6,19 +6,23 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "boxplus/base/error.h"
+#include "boxplus/io/file_format.h"
 #include "boxplus/mpi/distributed_optimizer.h"
 #include "checkpoint.h"
 #include "command_line/message.h"
 #include "command_line/option_kinds.h"
+#include "command_line/progress.h"
 #include "divide_graph.h"
 #include "file_part.h"
 #include "files/graph_input.h"
@@ -26,6 +30,8 @@
 #include "files/outputs.h"
 #include "guess/start_table.h"
 #include "io/bal/bal_format.h"
+#include "io/gzip.h"
+#include "io/replace_file.h"
 #include "memory.h"
 #include "optimize/fix_for_run.h"
 #include "optimize/optimize_options.h"
@@ -88,6 +94,15 @@ std::shared_ptr<LinearSolver> load_divided_solver(const std::string& options) {
   void* const make = find_in_petsc_plugin("boxplus_divided_petsc_solver");
   return std::shared_ptr<LinearSolver>(
       reinterpret_cast<LinearSolver* (*)(MPI_Comm, const char*)>(make)(MPI_COMM_WORLD, options.c_str()));
+}
+
+/// Whether the extension of an output, or the lack of one, selects BAL for a graph that was read from BAL.
+bool selects_bal(const std::string& output) {
+  if (output.empty() || output == kStandardStream || output.ends_with('/') || is_gzip_name(output))
+    return false;
+  const FileFormat* const format = default_formats().of_path(output);
+  std::error_code none;
+  return format != nullptr ? format->name == bal_format().name : !std::filesystem::is_directory(output, none);
 }
 
 /// Whether nothing depends on vertices and edges that only other processes have.
@@ -260,7 +275,8 @@ class DistributedRun {
     for (const detail::GaugeFreedom& freedom : freedoms_) report.degrees_of_freedom += freedom.directions;
   }
 
-  /// Reads the whole file in the first process, and moves its vertices as all processes have moved theirs.
+  /// Reads the file in the first process, without its edges if it can do without them, and moves its vertices
+  /// as all processes have moved theirs.
   void collect() {
     for (const detail::GaugeVertex& held : held_) file_->graph.unfix(held.vertex);
     fixed_.reset();
@@ -268,16 +284,31 @@ class DistributedRun {
     const std::vector<std::uint64_t> changes = results_->changes(file_->graph);
     results_.reset();
     options_ = {};
+    has_vertices_only_ = part_ && file_->format == bal_format().name && selects_bal(arguments_.output);
     file_.reset();
     std::optional<ChangedGraph> changed;
     if (communicator_.is_first()) {
-      file_ = read_input(arguments_.input, arguments_.reading);
-      set_pixel_sigma(file_->graph, arguments_);
-      if (!arguments_.kernel.empty()) robustify(file_->graph, arguments_);
+      if (has_vertices_only_) {
+        file_ = read_bal_vertices(TextSource::of_file(arguments_.input), arguments_.reading);
+      } else {
+        file_ = read_input(arguments_.input, arguments_.reading);
+        set_pixel_sigma(file_->graph, arguments_);
+        if (!arguments_.kernel.empty()) robustify(file_->graph, arguments_);
+      }
       changed.emplace(file_->graph);
     }
     communicator_.visit_at_first(
         changes, [&](std::span<const std::uint64_t> of_process) { changed->apply(of_process); });
+  }
+
+  /// Writes the vertices, and copies the observations of the input.
+  void save_vertices() {
+    Progress progress(choose_progress(arguments_.quiet, false));
+    progress.later(fmt::format("writing {} …", arguments_.output));
+    replace_file(arguments_.output, [&](TextSink sink) {
+      write_bal_vertices(file_->graph, TextSource::of_file(arguments_.input), arguments_.reading, sink);
+    });
+    facts_.output = arguments_.output;
   }
 
   /// Collects the results, and writes them in the first process.
@@ -285,8 +316,11 @@ class DistributedRun {
     DistributedReport& report = distribution_.report;
     collect();
     std::exception_ptr refusal;
-    if (communicator_.is_first() && !arguments_.output.empty())
+    if (communicator_.is_first() && has_vertices_only_) {
+      save_vertices();
+    } else if (communicator_.is_first() && !arguments_.output.empty()) {
       refusal = save_result(arguments_, *file_, facts_);
+    }
     distribution_.peak_bytes = communicator_.gather(std::vector{memory_of_process().peak});
     distribution_.edges = communicator_.gather(std::vector{std::uint64_t{report.own_edges}});
     distribution_.sent_per_iteration =
@@ -308,6 +342,7 @@ class DistributedRun {
   Options options_;
   std::optional<FilePart> part_;  // if this process has not read the whole file; without its file
   std::optional<GraphFile> file_;
+  bool has_vertices_only_ = false;  // at the end
   std::optional<FixForRun> fixed_;
   std::vector<detail::GaugeVertex> held_;
   std::vector<detail::GaugeFreedom> freedoms_;  // while these are held

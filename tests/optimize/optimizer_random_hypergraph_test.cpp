@@ -257,6 +257,7 @@ TEST_P(RandomHypergraph, EndsAtTheOptimumOfAnIndependentDenseSolver) {
     Options options;
     options.algorithm = GetParam();
     options.cost_tolerance = 1e-14;
+    options.noise_tolerance = 0;
     const Report report = optimize(problem.graph, options);
     const double expected = problem.dense.minimize();
     ASSERT_TRUE(report.converged()) << "seed " << seed << "\n" << to_string(report);

@@ -13,6 +13,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,14 @@ FileFormat bal_format();
 inline constexpr int kBalCameraValues = 9;
 
 GraphFile read_bal(const TextSource& text, const ReadOptions& options);
+
+/// Called for the counts of cameras, points and observations, and then for each observation: the indices of
+/// camera and point, and the pixel.
+struct BalVisitor {
+  std::function<void(std::span<const double>)> counts, observation;
+};
+/// Throws what read_bal() throws.
+void visit_bal(const TextSource& text, const ReadOptions& options, const BalVisitor& visitor);
 
 /// Who observes whom, without the coordinates.
 struct BalObservations {
@@ -45,7 +55,14 @@ struct BalPoints {
 /// Vertices have the ids of the whole problem, and notes are about the whole file.
 GraphFile read_bal_part(const TextSource& text, const ReadOptions& options, const BalPoints& points);
 
+/// The vertices of read_bal(), without any edges.
+GraphFile read_bal_vertices(const TextSource& text, const ReadOptions& options);
+
 void write_bal(const GraphFileView& file, const WriteOptions& options, TextSink sink);
+/// Does what write_bal() does if read_bal_vertices(text) has read the vertices, whose estimates may have
+/// changed since then, and the edges are those of read_bal(text). Does not hold the edges.
+void write_bal_vertices(const Graph& vertices, const TextSource& text, const ReadOptions& options,
+                        TextSink sink);
 /// See losses().
 std::vector<std::string> bal_losses(const GraphFileView& file);
 

@@ -32,16 +32,24 @@ std::string counted_with_verb(std::int64_t count, const char* one, const char* m
 /// point.
 class BalReader {
  public:
-  /// Which points to read, and the number of their observations; null: all.
-  BalReader(const TextSource& text, const ReadOptions& options, const BalPoints* wanted = nullptr)
-      : text_(text), options_(options), wanted_(wanted) {}
+  BalReader(const TextSource& text, const ReadOptions& options) : text_(text), options_(options) {}
 
-  /// Reads only who observes whom.
-  BalObservations read_observations() {
-    BalObservations observations;
-    observations_ = &observations;
+  /// Makes no graph.
+  void visit(const BalVisitor& visitor) {
+    visitor_ = &visitor;
     (void)read();
-    return observations;
+  }
+
+  /// Leaves out all edges.
+  GraphFile read_vertices() {
+    makes_edges_ = false;
+    return read();
+  }
+
+  /// Leaves out other points.
+  GraphFile read_part(const BalPoints& wanted) {
+    wanted_ = &wanted;
+    return read();
   }
 
   GraphFile read() {
@@ -139,13 +147,8 @@ class BalReader {
     observation_count_ = static_cast<std::size_t>(item_[2]);
     is_camera_used_.resize(static_cast<std::size_t>(camera_count_));
     is_point_used_.resize(static_cast<std::size_t>(point_count_));
-    if (observations_) {
-      observations_->cameras = static_cast<std::uint32_t>(camera_count_);
-      observations_->points = static_cast<std::uint32_t>(point_count_);
-      observations_->pairs.reserve(observation_count_);
-    } else {
-      create_vertices();
-    }
+    if (visitor_) return visitor_->counts(std::span(item_).first(item_size()));
+    create_vertices();
   }
 
   void create_vertices() {
@@ -157,11 +160,11 @@ class BalReader {
       points_[point] = file_.graph.add_vertex(Vector3(0, 0, 0), static_cast<Id>(cameras_.size() + point));
       file_.graph.set_eliminated(points_[point], true);
     }
-    detail::reserve(file_.edges, edge_count());
+    if (makes_edges_) detail::reserve(file_.edges, edge_count());
   }
 
   bool is_wanted(std::size_t point) const {
-    return observations_ == nullptr && (wanted_ == nullptr || wanted_->is_wanted[point]);
+    return visitor_ == nullptr && (wanted_ == nullptr || wanted_->is_wanted[point]);
   }
   /// The number of observations of these points.
   std::size_t edge_count() const { return wanted_ ? wanted_->observations : observation_count_; }
@@ -170,8 +173,8 @@ class BalReader {
     const auto camera = static_cast<std::size_t>(item_[0]), point = static_cast<std::size_t>(item_[1]);
     is_camera_used_[camera] = true;
     is_point_used_[point] = true;
-    if (observations_) observations_->pairs.push_back((std::uint64_t{point} << 32) + camera);
-    if (!is_wanted(point)) return;
+    if (visitor_) visitor_->observation(std::span(item_).first(item_size()));
+    if (!makes_edges_ || !is_wanted(point)) return;
     file_.edges.push_back(
         file_.graph.add_edge(BalEdge(Vector2(item_[2], item_[3])), cameras_[camera], points_[point]));
     if (file_.edges.size() == 1) file_.graph.reserve_edges(file_.edges.back(), edge_count());
@@ -182,7 +185,7 @@ class BalReader {
     if (!is_moderate(T_world_camera))
       fail(block, last,
            fmt::format("camera {}: expected a pose with moderate values, got values that overflow", items_));
-    if (observations_) return;
+    if (visitor_) return;
     file_.graph.set_estimate(cameras_[items_],
                              BalVertex(T_world_camera, BalCamera(item_[6], item_[7], item_[8])));
   }
@@ -231,8 +234,9 @@ class BalReader {
 
   const TextSource& text_;
   const ReadOptions& options_;
-  const BalPoints* wanted_ = nullptr;
-  BalObservations* observations_ = nullptr;  // if only these are read
+  const BalPoints* wanted_ = nullptr;    // null: all points
+  const BalVisitor* visitor_ = nullptr;  // instead of a graph
+  bool makes_edges_ = true;
   GraphFile file_;
   Part part_ = Part::kCounts;
   std::array<double, kBalCameraValues> item_{};  // the values of the current item
@@ -251,12 +255,31 @@ GraphFile read_bal(const TextSource& text, const ReadOptions& options) {
   return BalReader(text, options).read();
 }
 
+void visit_bal(const TextSource& text, const ReadOptions& options, const BalVisitor& visitor) {
+  BalReader(text, options).visit(visitor);
+}
+
 BalObservations read_bal_observations(const TextSource& text, const ReadOptions& options) {
-  return BalReader(text, options).read_observations();
+  BalObservations result;
+  const auto counts = [&](std::span<const double> counts) {
+    result.cameras = static_cast<std::uint32_t>(counts[0]);
+    result.points = static_cast<std::uint32_t>(counts[1]);
+    result.pairs.reserve(static_cast<std::size_t>(counts[2]));
+  };
+  const auto observation = [&](std::span<const double> values) {
+    const auto camera = static_cast<std::uint64_t>(values[0]), point = static_cast<std::uint64_t>(values[1]);
+    result.pairs.push_back((point << 32) + camera);
+  };
+  visit_bal(text, options, {counts, observation});
+  return result;
 }
 
 GraphFile read_bal_part(const TextSource& text, const ReadOptions& options, const BalPoints& points) {
-  return BalReader(text, options, &points).read();
+  return BalReader(text, options).read_part(points);
+}
+
+GraphFile read_bal_vertices(const TextSource& text, const ReadOptions& options) {
+  return BalReader(text, options).read_vertices();
 }
 
 }  // namespace boxplus

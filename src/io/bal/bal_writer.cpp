@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "boxplus/base/error.h"
@@ -51,6 +53,33 @@ bool is_bal_edge(const Graph& graph, EdgeRef edge) {
   return dynamic_cast<const BalEdgePool*>(graph.edge_pools()[edge.pool].get()) != nullptr;
 }
 
+/// Collects lines, and passes them on in larger pieces.
+class Pieces {
+ public:
+  explicit Pieces(TextSink sink) : sink_(sink), out_(text_) {}
+
+  /// Writes numbers, of which the first ones are integers.
+  void line(std::span<const double> numbers, std::size_t integers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      i < integers ? out_.integer(static_cast<std::int64_t>(numbers[i])) : out_.number(numbers[i]);
+    out_.end_line();
+    if (text_.size() >= kPiece) end();
+  }
+  void lines(const Vector3& values) {
+    for (const double& value : values) line(std::span(&value, 1), 0);
+  }
+  void end() {
+    if (!text_.empty()) sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kPiece = std::size_t{1} << 18;
+  TextSink sink_;
+  std::string text_;
+  FieldWriter out_;
+};
+
 class BalWriter {
  public:
   explicit BalWriter(const GraphFileView& file) : graph_(file.graph), edges_(edges_to_write(file)) {
@@ -62,30 +91,22 @@ class BalWriter {
   }
 
   void write(TextSink sink) const {
-    constexpr std::size_t kPiece = std::size_t{1} << 18;
-    std::string text;
-    const auto flush = [&](std::size_t at_least) {
-      if (text.size() < at_least) return;
-      sink(text);
-      text.clear();
-    };
-    FieldWriter out(text);
-    for (const std::size_t count : {cameras_.size(), points_.size(), edges_.size()})
-      out.integer(static_cast<std::int64_t>(count));
-    out.end_line();
-    for (const EdgeRef& edge : edges_) {
-      write_edge(edge, out);
-      flush(kPiece);
-    }
-    for (const VertexRef& camera : cameras_) {
-      write_camera(graph_.estimate(graph_.typed<BalVertex>(camera)), out);
-      flush(kPiece);
-    }
-    for (const VertexRef& point : points_) {
-      write_lines(graph_.estimate(graph_.typed<Vector3>(point)), out);
-      flush(kPiece);
-    }
-    flush(1);
+    Pieces out(sink);
+    const auto size = [](const auto& elements) { return static_cast<double>(elements.size()); };
+    out.line({{size(cameras_), size(points_), size(edges_)}}, 3);
+    for (const EdgeRef& edge : edges_) write_edge(edge, out);
+    write_vertices(out);
+    out.end();
+  }
+
+  /// The edges are those of a text.
+  void write_with_edges_of(const TextSource& text, const ReadOptions& options, TextSink sink) const {
+    Pieces out(sink);
+    visit_bal(text, options,
+              {[&](std::span<const double> counts) { out.line(counts, 3); },
+               [&](std::span<const double> observation) { out.line(observation, 2); }});
+    write_vertices(out);
+    out.end();
   }
 
  private:
@@ -121,27 +142,24 @@ class BalWriter {
     }
   }
 
-  void write_edge(const EdgeRef& edge, FieldWriter& out) const {
+  void write_edge(const EdgeRef& edge, Pieces& out) const {
     const auto& pool = static_cast<const BalEdgePool&>(*graph_.edge_pools()[edge.pool]);
-    for (const VertexRef& vertex : graph_.vertices(edge)) out.integer(index_[vertex.pool][vertex.slot]);
-    const Vector2& pixel = pool.value(edge.slot).measurement;
-    out.number(pixel[0]);
-    out.number(pixel[1]);
-    out.end_line();
+    std::array<double, 4> line;
+    std::size_t count = 0;
+    for (const VertexRef& vertex : graph_.vertices(edge))
+      line[count++] = static_cast<double>(index_[vertex.pool][vertex.slot]);
+    for (const double pixel : pool.value(edge.slot).measurement) line[count++] = pixel;
+    out.line(line, 2);
   }
 
-  static void write_camera(const BalVertex& camera, FieldWriter& out) {
-    const BalPose pose(camera.get<0>());
-    write_lines(pose.rotation, out);
-    write_lines(pose.translation, out);
-    write_lines(camera.get<1>().parameters, out);
-  }
-
-  static void write_lines(const Vector3& values, FieldWriter& out) {
-    for (int i = 0; i < 3; ++i) {
-      out.number(values[i]);
-      out.end_line();
+  void write_vertices(Pieces& out) const {
+    for (const VertexRef& vertex : cameras_) {
+      const BalVertex& camera = graph_.estimate(graph_.typed<BalVertex>(vertex));
+      const BalPose pose(camera.get<0>());
+      for (const Vector3& values : {pose.rotation, pose.translation, Vector3(camera.get<1>().parameters)})
+        out.lines(values);
     }
+    for (const VertexRef& point : points_) out.lines(graph_.estimate(graph_.typed<Vector3>(point)));
   }
 
   const Graph& graph_;
@@ -156,6 +174,11 @@ void write_bal(const GraphFileView& file, const WriteOptions& /*options*/, TextS
   if (!has_colmap_cameras(file.graph)) return BalWriter(file).write(sink);
   const GraphFile converted = bal_from_model(model_of(file));
   BalWriter({converted.graph, converted.edges}).write(sink);
+}
+
+void write_bal_vertices(const Graph& vertices, const TextSource& text, const ReadOptions& options,
+                        TextSink sink) {
+  BalWriter({vertices}).write_with_edges_of(text, options, sink);
 }
 
 std::vector<std::string> bal_losses(const GraphFileView& file) {

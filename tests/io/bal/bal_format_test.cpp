@@ -210,6 +210,23 @@ TEST(BalFormat, CanBeReadInPartsWithTheIdsOfTheWholeProblem) {
   EXPECT_TRUE(part.notes.empty());
 }
 
+TEST(BalFormat, CanBeWrittenWithoutHoldingTheEdges) {
+  const TextSource text(kProblem, "g");
+  GraphFile vertices = read_bal_vertices(text, {});
+  EXPECT_EQ(vertices.graph.vertex_count(), 5u);
+  EXPECT_EQ(vertices.graph.edge_count(), 0u);
+  GraphFile whole = problem();
+  for (Graph* graph : {&vertices.graph, &whole.graph}) {
+    graph->set_estimate(graph->vertex<Vector3>(3), Vector3(1, 2, -3));
+    BalVertex moved = camera(*graph, 1);
+    moved.get<1>().parameters[0] = 500;
+    graph->set_estimate(graph->vertex<BalVertex>(1), moved);
+  }
+  std::string written;
+  write_bal_vertices(vertices.graph, text, {}, [&](std::string_view piece) { written += piece; });
+  EXPECT_EQ(written, format_graph(whole));
+}
+
 TEST(BalFormat, IsRefusedInPartsAsItIsAsAWhole) {
   const std::string text = kHeader + kObservations + kFirstCamera + kSecondCamera + "1\n2\nx\n";
   const TextSource source(text, "g");
@@ -217,6 +234,7 @@ TEST(BalFormat, IsRefusedInPartsAsItIsAsAWhole) {
   EXPECT_THAT(complaint(text), HasSubstr("got 'x'"));
   EXPECT_THROW((void)read_bal_observations(source, {}), InputError);
   EXPECT_THROW((void)read_bal_part(source, {}, none), InputError);
+  EXPECT_THROW((void)read_bal_vertices(source, {}), InputError);
 }
 
 TEST(BalFormat, NotesCamerasAndPointsWithoutObservations) {

@@ -138,11 +138,13 @@ class MpiCommandTest(CommandCase):
         street = self.simulated("street.bal", "ba", "--cameras", 100, "--points", 60000)
         (self.path / "model").mkdir()
         model = self.simulated("model", "ba", "--cameras", 100, "--points", 60000)
-        def memory(processes, graph):
-            return max(self.report_of(processes, graph)["distribution"]["peak_bytes_per_process"])
+        def memory(processes, graph, *arguments):
+            return max(self.report_of(processes, graph, *arguments)["distribution"]["peak_bytes_per_process"])
         for graph in (street, model):
             of_one, of_four = (memory(n, graph) - memory(n, tiny) for n in (1, 4))
             self.assertLess(of_four, 0.35 * of_one)
+        of_writer = memory(4, street, "-o", self.path / "optimized.bal") - memory(4, tiny)
+        self.assertLess(of_writer, 0.35 * (memory(1, street) - memory(1, tiny)))
 
     def test_goes_on_from_a_checkpoint(self):
         checkpoint = self.path / "checkpoint"
