@@ -90,7 +90,7 @@ arm64-light: setup ## builds the library for 64-bit ARM, and runs the tests of t
 libcxx: setup ## builds with clang++ and libc++, and runs the core suites and the command on the public graphs
 	@scripts/install_dependencies.sh scripts/debian-packages-libcxx.txt
 	@cmake --preset libcxx
-	@cmake --build --preset libcxx --parallel $(JOBS) --target core_suites boxplus_command
+	@cmake --build --preset libcxx --parallel $(JOBS) --target core_suites boxplus_command examples
 	@ctest --preset libcxx --parallel $(JOBS)
 
 tidy: setup ## builds with clang++ and runs clang-tidy over every source

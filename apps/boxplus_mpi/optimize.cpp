@@ -71,10 +71,11 @@ std::string distribution_text(const Distribution& distribution, bool is_divided)
     memory += fmt::format("{}{:.1f}", memory.empty() ? "" : ", ", static_cast<double>(bytes) / kMebi);
   return fmt::format(
       "\n{} process{} shared the problem{} {} vertices that are not eliminated.\n"
-      "Peak memory per process: {} MiB. Sent per iteration: {:.2f} MiB in all.\n",
+      "Peak memory per process: {} MiB. Sent per iteration: {:.2f} MiB in all{}.\n",
       distribution.report.processes, distribution.report.processes == 1 ? "" : "es",
       is_divided ? ", and the system of the" : "; each solved for all", distribution.report.kept, memory,
-      static_cast<double>(distribution.sent_per_iteration) / kMebi);
+      static_cast<double>(distribution.sent_per_iteration) / kMebi,
+      is_divided ? ", besides what PETSc sent" : "");
 }
 
 /// The report of `boxplus optimize`, with a member for the processes.

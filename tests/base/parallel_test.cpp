@@ -20,6 +20,7 @@
 #include <thread>
 #include <vector>
 
+#include "sanitized.h"
 namespace boxplus {
 namespace {
 
@@ -226,7 +227,7 @@ void forbid_more_threads() {
 }
 
 TEST(ParallelTasksDeathTest, RunOnTheCallingThreadIfNoOtherThreadCanBeCreated) {
-  if (std::getenv("BOXPLUS_EMULATED") != nullptr) GTEST_SKIP() << "an emulated program cannot start itself";
+  if (is_emulated()) GTEST_SKIP() << "an emulated program cannot start itself again";
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto run_without_threads = [] {
     forbid_more_threads();

@@ -250,7 +250,7 @@ class RandomProblem {
 class RandomHypergraph : public testing::TestWithParam<AlgorithmKind> {};
 
 TEST_P(RandomHypergraph, EndsAtTheOptimumOfAnIndependentDenseSolver) {
-  for (unsigned seed = 0; seed < (kSanitized ? 40 : 200); ++seed) {
+  for (unsigned seed = 0; seed < (kSanitized || is_emulated() ? 40 : 200); ++seed) {
     RandomProblem problem(seed);
     problem.build();
     ASSERT_NEAR(problem.graph.chi2(), problem.dense.cost(), 1e-10 * problem.dense.cost()) << "seed " << seed;
