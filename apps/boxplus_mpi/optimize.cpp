@@ -183,7 +183,10 @@ class DistributedRun {
     Graph& graph = file_->graph;
     fixed_.emplace(graph, arguments_);
     options_ = arguments_.options;
-    if (arguments_.petsc) options_.custom_linear_solver = load_divided_solver(*arguments_.petsc);
+    if (arguments_.petsc) {
+      (void)communicator_.any(false);  // PETSc starts in all processes, unless one has failed
+      options_.custom_linear_solver = load_divided_solver(*arguments_.petsc);
+    }
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
     PlanRequest request{.level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
     const Gauge gauge = find_active_set(graph, request).gauge;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eigenspaces of small symmetric matrices.
+// Subspaces that small matrices define.
 #pragma once
 
 #include "base/symmetric_eigen.h"
@@ -18,9 +18,8 @@ Eigen::MatrixXd eigenvectors_of(const Eigen::MatrixXd& A, F&& wanted) {
   return result.leftCols(count);
 }
 
-/// An orthonormal basis of the right singular vectors x of A with ‖A x‖ ≤ least · ‖x‖.
-inline Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& A, double least) {
-  return eigenvectors_of(A.transpose() * A, [&](double squared) { return squared <= least * least; });
-}
+/// An orthonormal basis of the right singular vectors x of A with ‖A x‖ ≤ least · ‖x‖, by one-sided Jacobi
+/// rotations (Hestenes 1958). Unlike eigenvalues of AᵀA, small singular values have small errors.
+Eigen::MatrixXd kernel_of(Eigen::MatrixXd A, double least);
 
 }  // namespace boxplus

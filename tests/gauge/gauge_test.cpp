@@ -392,27 +392,30 @@ TEST(Gauge, OfATranslationThatIsFreeTogetherWithAnOffsetHoldsTheOffset) {
   EXPECT_EQ(report.regularized_steps, 0);
 }
 
-TEST(Gauge, HoldsNoDirectionOfAnEliminatedVertex) {
-  // After one camera is held, the scale is free.
-  Graph graph;
-  std::vector<VertexHandle<SE2>> cameras;
-  for (int k = 0; k < 4; ++k) cameras.push_back(graph.add_vertex(pose(k)));
-  for (int k = 0; k < 6; ++k) {
-    const auto point = graph.add_vertex(Vector2(20 + 3 * std::sin(2 * k), 30 + std::cos(3 * k)));
-    graph.set_eliminated(point, true);
-    for (const auto& camera : cameras) {
-      graph.add_edge(
-          [](const auto& p, const auto& l) {
-            const auto y = p.inverse_times(l).eval();
-            return y[0] / y[1];
-          },
-          camera, point);
+TEST(Gauge, OfCamerasIsHeldAtOneCameraAndADirectionOfAnotherInWorldsOfAnySize) {
+  for (const double size : {1.0, 1e3, 1e6}) {
+    Graph graph;
+    std::vector<VertexHandle<SE2>> cameras;
+    for (int k = 0; k < 4; ++k)
+      cameras.push_back(graph.add_vertex(SE2(size * place(k)[0], size * place(k)[1], 0.4 * k)));
+    for (int k = 0; k < 6; ++k) {
+      const Vector2 place(20 + 3 * std::sin(2 * k), 30 + std::cos(3 * k));
+      const auto point = graph.add_vertex(Vector2(size * place));
+      graph.set_eliminated(point, true);
+      for (const auto& camera : cameras) {
+        graph.add_edge(
+            [](const auto& p, const auto& l) {
+              const auto y = p.inverse_times(l).eval();
+              return y[0] / y[1];
+            },
+            camera, point);
+      }
     }
+    const Gauge gauge = gauge_of(graph);
+    EXPECT_THAT(held_ids(gauge), ElementsAre(0)) << size;
+    ASSERT_THAT(gauge.held_directions, SizeIs(1)) << size;
+    EXPECT_EQ(gauge.held_directions[0].vertex.pool, VertexRef(cameras[0]).pool) << size;
   }
-  const Gauge gauge = gauge_of(graph);
-  EXPECT_THAT(held_ids(gauge), ElementsAre(0));
-  ASSERT_THAT(gauge.held_directions, SizeIs(1));
-  EXPECT_EQ(gauge.held_directions[0].vertex.pool, VertexRef(cameras[0]).pool);
 }
 
 TEST(Gauge, OfOtherTypesIsLeftToTheLargestVertexThatIsNotEliminated) {

@@ -2,6 +2,7 @@
 #include "petsc_matrix.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -41,9 +42,20 @@ Layout::Layout(const BlockStructure& structure, const DividedSystem* divided, MP
   int size = 1;
   MPI_Comm_rank(communicator, &rank_);
   MPI_Comm_size(communicator, &size);
+  if (count > 0 && count < static_cast<unsigned>(size))  // parts of PETSc crash
+    throw InvalidArgument(
+        "PETSc: expected at least one vertex that is not eliminated for each process, got " +
+        std::to_string(count) + " for " + std::to_string(size) + " processes");
   for (int process = 0; process <= size; ++process)
     first_rows_.push_back(static_cast<PetscInt>(std::uint64_t{count} * static_cast<unsigned>(process) /
                                                 static_cast<unsigned>(size)));
+}
+
+bool Layout::any(const Calls& calls, bool here) const {
+  if (processes() == 1) return here;
+  int result = here ? 1 : 0;
+  calls(MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, communicator_));
+  return result != 0;
 }
 
 int Layout::owner(PetscInt number) const {
@@ -67,9 +79,11 @@ std::uint32_t Layout::find_block(PetscInt scalar) const {
 
 Matrix::Matrix(const Calls& calls, const BlockStructure& structure, const Layout& layout, MatType type)
     : structure_(&structure), layout_(&layout) {
-  if (2 * std::uint64_t{structure.nonzero_values()} > kMost)
+  if (layout.any(calls, 2 * std::uint64_t{structure.nonzero_values()} > kMost))
     throw InvalidArgument("PETSc: expected at most " + std::to_string(kMost / 2) +
-                          " values in the lower triangle, got " + std::to_string(structure.nonzero_values()));
+                          " values in the lower triangle" +
+                          (layout.processes() > 1 ? " of what a process contributes; use more processes"
+                                                  : ", got " + std::to_string(structure.nonzero_values())));
   const PetscInt first = layout.first_row(layout.rank()), end = layout.first_row(layout.rank() + 1);
   const PetscInt rows = layout.first_scalar(end) - layout.first_scalar(first);
   const bool has_equal_blocks = layout.block_size() > 0;
@@ -128,8 +142,6 @@ void Matrix::exchange_places(const Calls& calls) {
       std::size_t items = 0;
       for (const Place place : of_process) items += count(place);
       end += items;
-      if (end > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        throw Error("PETSc: a process contributes too many values to the rows of others");
       shares.count.push_back(static_cast<int>(items));
     }
     return shares;
@@ -138,7 +150,13 @@ void Matrix::exchange_places(const Calls& calls) {
     Shares shares{std::vector<int>(processes), std::vector<int>(processes, 0)};
     calls(MPI_Alltoall(of_sent.count.data(), 1, MPI_INT, shares.count.data(), 1, MPI_INT,
                        layout_->communicator()));
-    for (std::size_t p = 1; p < processes; ++p) shares.first[p] = shares.first[p - 1] + shares.count[p - 1];
+    std::int64_t end = 0;
+    for (std::size_t p = 0; p < processes; ++p) {
+      shares.first[p] = static_cast<int>(end);
+      end += shares.count[p];
+    }
+    if (layout_->any(calls, end > std::numeric_limits<int>::max()))
+      throw Error("PETSc: the processes contribute too many values to the rows of one; use more processes");
     return shares;
   };
   const auto total = [](const Shares& shares) {

@@ -20,6 +20,8 @@ class Layout {
   Layout(const BlockStructure& structure, const DividedSystem* divided, MPI_Comm communicator);
 
   MPI_Comm communicator() const { return communicator_; }
+  /// Whether it is so in any process. Collective.
+  bool any(const Calls& calls, bool here) const;
   PetscInt scalars() const { return offset_.back(); }
   /// The size that all blocks have, or 0.
   PetscInt block_size() const { return block_size_; }

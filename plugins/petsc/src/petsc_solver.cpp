@@ -109,7 +109,10 @@ Solver::Solver(const std::string& options, MPI_Comm communicator, bool is_divide
       texts_(parse_options(options)),
       options_(make_options(options)),
       has_own_tolerance_(texts_.contains("-ksp_rtol")),
-      has_own_limit_(texts_.contains("-ksp_max_it")) {}
+      has_own_limit_(texts_.contains("-ksp_max_it")) {
+  if (texts_.contains("-mat_block_size"))
+    throw InvalidArgument("PETSc: expected options without -mat_block_size, which the graph decides");
+}
 
 /// The value of an option, or `absent`.
 std::string Solver::option(const char* name, const std::string& absent) const {
@@ -188,14 +191,6 @@ void Solver::make_vectors(const Calls& calls) {
   calls(VecScatterCreate(p.solution, places, p.here, nullptr, p.way.out()));
 }
 
-/// Whether it is so in any process.
-bool Solver::any(const Calls& calls, bool here) const {
-  if (!is_divided_) return here;
-  int result = here ? 1 : 0;
-  calls(MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, communicator_));
-  return result != 0;
-}
-
 /// Makes b, or the sum of what processes contribute to it, the right-hand side.
 void Solver::load(const Calls& calls, const double* b) {
   Problem& p = *problem_;
@@ -230,15 +225,22 @@ void Solver::analyze(const BlockStructure& structure, const AnalyzeHints& hints,
   may_be_singular_ = hints.may_be_singular;
   last_.assign(hints.last.begin(), hints.last.end());
   layout_.emplace(structure, hints.divided, communicator_);
-  if (layout_->scalars() == 0) return;
   try {
-    choose_methods(calls);
-    make_vectors(calls);
+    make_problem(calls);
   } catch (...) {
     problem_.reset();
     structure_ = nullptr;
     throw;
   }
+}
+
+void Solver::make_problem(const Calls& calls) {
+  has_failed_ = false;
+  problem_.reset();
+  watch_.reset();
+  if (layout_->scalars() == 0) return;
+  choose_methods(calls);
+  make_vectors(calls);
 }
 
 FactorResult Solver::factorize(const BlockSystem& system, const Damping& damping,
@@ -253,7 +255,9 @@ FactorResult Solver::factorize(const BlockSystem& system, const Damping& damping
   if (control.stop.raised()) return {LinearStatus::kStopped};
   const Calls calls(options_);
   const std::uint32_t not_finite = find_not_finite(s, values.data(), damping);
-  if (any(calls, not_finite != BlockStructure::kAbsent)) return {LinearStatus::kNotFinite, not_finite};
+  if (layout_->any(calls, not_finite != BlockStructure::kAbsent))
+    return {LinearStatus::kNotFinite, not_finite};
+  if (has_failed_) make_problem(calls);  // MUMPS would not factorize again
   if (problem_) {
     problem_->matrix.assign(calls, values.data(), damping);
     if (const FactorResult result = check_diagonal(calls); result.status != LinearStatus::kOk) return result;
@@ -262,6 +266,7 @@ FactorResult Solver::factorize(const BlockSystem& system, const Damping& damping
     calls(KSPSetUp(problem_->ksp));
     calls(KSPSetUpOnBlocks(problem_->ksp));
     FactorResult result = setup_failure(calls);
+    has_failed_ = result.status != LinearStatus::kOk;
     if (result.status == LinearStatus::kOk && is_direct_ && may_be_singular_) result = find_lost_pivot(calls);
     if (control.stop.raised()) return {LinearStatus::kStopped};
     if (result.status != LinearStatus::kOk) return result;
@@ -290,9 +295,25 @@ FactorResult Solver::setup_failure(const Calls& calls) {
   calls(PCGetFailedReason(problem_->pc, &reason));
   if (reason == PC_FACTOR_OUTMEMORY)
     throw Error("PETSc: the factorization needs more memory (for MUMPS, see -mat_mumps_icntl_14)");
+  if (reason == PC_FACTOR_OTHER) {
+    const PetscInt code = is_direct_ ? code_of_mumps(calls) : 0;
+    throw Error("PETSc: the factorization failed" +
+                (code < 0 ? " (INFOG(1) of MUMPS is " + std::to_string(code) + ")" : std::string()));
+  }
   if (reason != PC_NOERROR || (is_direct_ && has_negative_pivot(calls)))
     return {LinearStatus::kNotPositiveDefinite};
   return {};
+}
+
+/// INFOG(1) of MUMPS, or 0 if another library factorizes.
+PetscInt Solver::code_of_mumps(const Calls& calls) const {
+  Mat factor = nullptr;
+  MatSolverType package = nullptr;
+  PetscInt code = 0;
+  calls(PCFactorGetMatrix(problem_->pc, &factor));
+  calls(MatFactorGetSolverType(factor, &package));
+  if (package != nullptr && std::string(package) == MATSOLVERMUMPS) calls(MatMumpsGetInfog(factor, 1, &code));
+  return code;
 }
 
 /// Whether the factor has a negative pivot. (Some factorizations of PETSc do not say.)
@@ -358,7 +379,7 @@ SolveResult Solver::solve(const double* b, int columns, double* x, const SolveCo
   if (!factorized_) throw InvalidArgument("petsc::Solver::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
   const Calls calls(options_);
-  if (any(calls, !all_finite(b, size * static_cast<std::size_t>(std::max(0, columns)))))
+  if (layout_->any(calls, !all_finite(b, size * static_cast<std::size_t>(std::max(0, columns)))))
     return {LinearStatus::kNotFinite};
   SolveResult total{.exact = true};
   for (int c = 0; c < columns && problem_; ++c, b += size, x += size) {

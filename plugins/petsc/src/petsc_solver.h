@@ -56,14 +56,15 @@ class Solver final : public LinearSolver {
     bool stopped = false;
   };
 
+  void make_problem(const Calls& calls);
   void choose_methods(const Calls& calls);
   void make_vectors(const Calls& calls);
   void watch_stop(const Calls& calls);
-  bool any(const Calls& calls, bool here) const;
   void load(const Calls& calls, const double* b);
   void store(const Calls& calls, double* x);
   FactorResult check_diagonal(const Calls& calls);
   FactorResult setup_failure(const Calls& calls);
+  PetscInt code_of_mumps(const Calls& calls) const;
   FactorResult find_lost_pivot(const Calls& calls);
   void collect_statistics(const Calls& calls);
   SolveResult solve_column(const Calls& calls, const double* b, double* x, const SolveControl& control);
@@ -89,7 +90,7 @@ class Solver final : public LinearSolver {
   std::optional<Problem> problem_;
   std::unique_ptr<Watch> watch_;
   std::vector<double> diagonal_;  // of A + λD
-  bool factorized_ = false, options_are_checked_ = false;
+  bool factorized_ = false, has_failed_ = false, options_are_checked_ = false;
   LinearStatistics statistics_;
 };
 

@@ -96,13 +96,21 @@ class MpiCommandTest(CommandCase):
         self.assertIn("expected at most 20000 vertices that are not eliminated", messages(refused.stderr)[0])
         self.assert_same_optimum(town, numbers=(2,), in_all=("--petsc", ""), repeats=False)
 
+    def test_does_not_start_petsc_if_only_one_process_fails_before(self):
+        self.require_petsc()
+        sphere = self.simulated("sphere.g2o", "sphere", "--poses", 100)
+        done = self.run_mpi(2, "optimize", sphere, "--petsc", "", "-o", self.path / "missing" / "x.g2o")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(len(messages(done.stderr)), 1, done.stderr)
+
     def test_ends_if_petsc_refuses_an_option_or_a_system(self):
         self.require_petsc()
         sphere = self.simulated("sphere.g2o", "sphere", "--poses", 100)
         loose = self.written("loose.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nVERTEX_SE2 2 2 0 0\nFIX 0\n"
                              "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0 0 1 0 0 0 0 0\n")
         for graph, options, code, text in ((sphere, "-ksp_type nonsense", 2, "nonsense"), (sphere, "-foo 1", 2, "-foo"),
-                                           (loose, "", 0, None)):
+                                           (sphere, "-mat_block_size 2", 2, "-mat_block_size"),
+                                           (sphere, "-mat_mumps_icntl_23 1", 2, "INFOG(1)"), (loose, "", 0, None)):
             done = self.run_mpi(2, "optimize", graph, "--quiet", "--petsc", options)
             self.assertEqual(done.returncode, code, done.stderr)
             if text is not None:
@@ -118,7 +126,12 @@ class MpiCommandTest(CommandCase):
 
     def test_finds_the_gauge_freedom_of_each_component(self):
         street = self.simulated("street.bal", "ba", "--cameras", 10, "--points", 200)
-        self.assert_same_optimum(self.twice(street), numbers=(2, 4))
+        twice = self.twice(street)
+        self.assert_same_optimum(twice, numbers=(2, 4))
+        self.assert_same_optimum(twice, "--hold", "intrinsics", numbers=(2, 3))
+        model = self.path / "model"
+        self.assertEqual(run("convert", twice, model, "--format", "colmap").returncode, 0)
+        self.assert_same_optimum(model, "--hold", "intrinsics", numbers=(2, 3))
 
     def twice(self, path):
         """A BAL problem of two copies of a problem that share nothing."""

@@ -273,6 +273,22 @@ TEST(PetscSolver, NamesThePivotThatVanishesIfTheMatrixMayBeSingular) {
   }
 }
 
+TEST(PetscSolver, FactorizesAgainAfterASingularMatrix) {
+  TestSystem system(std::vector<std::uint32_t>(2, 1), std::vector<BlockCoordinate>{{1, 0}});
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
+  system.add_edge(1, 0, one, -one);
+  const AssembledSystem view = system.view();
+  const auto solver = make_petsc_solver(kMumps);
+  solver->analyze(system.structure, {});
+  EXPECT_EQ(solver->factorize(view, {}).status, LinearStatus::kNotPositiveDefinite);
+  ASSERT_EQ(solver->factorize(view, {1.0}).status, LinearStatus::kOk);
+  const double b[] = {3, 0};
+  double x[2];
+  EXPECT_EQ(solver->solve(b, 1, x).status, LinearStatus::kOk);
+  EXPECT_NEAR(x[0], 2, 1e-12);
+  EXPECT_NEAR(x[1], 1, 1e-12);
+}
+
 TEST(PetscSolver, SaysThatAGraphHasADirectionThatNothingMeasures) {
   Graph graph;
   using Bias = Vector<double, 4>;

@@ -15,8 +15,8 @@
 
 namespace boxplus {
 
-/// The report of the whole problem, which is the same in every process, but for the times and for what is
-/// named below.
+/// The report of the whole problem, which is the same in every process, but for the times, for the types of
+/// edges in Report::jacobians, which are those of the process, and for what is named below.
 struct [[nodiscard]] DistributedReport : Report {
   int processes = 1;
   /// The vertices that are not eliminated. Every process has a copy of their system, unless the solver

@@ -15,7 +15,7 @@ namespace boxplus {
 /// As make_petsc_solver(), for Options::custom_linear_solver of a DistributedOptimizer with the same
 /// communicator. No process has the whole system of the kept vertices: each has the rows of an equal number
 /// of them, and what other processes contribute is added in the order of ranks. So their number is not
-/// limited to DistributedOptimizer::kMostKept.
+/// limited to DistributedOptimizer::kMostKept; but there must be at least one for each process.
 ///
 /// With several processes, MUMPS, the default, may round differently in each run. Krylov methods with
 /// point-block Jacobi have the same bits in each run.
