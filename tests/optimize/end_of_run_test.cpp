@@ -136,7 +136,8 @@ TEST(EndOfRun, IsConvergedIfOnlyRoundingErrorsRemain) {
 class EndOfBundleRun : public ::testing::TestWithParam<std::tuple<BundleShape, bool>> {};
 
 TEST_P(EndOfBundleRun, IsAtAMinimumIfItIsConverged) {
-  const auto& [shape, is_held] = GetParam();
+  const BundleShape shape = std::get<0>(GetParam());
+  const bool is_held = std::get<1>(GetParam());
   int early = 0;
   std::ostringstream reports;
   const auto run = [&](std::uint64_t seed, double pose_noise, double point_noise) {

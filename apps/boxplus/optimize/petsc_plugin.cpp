@@ -19,7 +19,7 @@ fs::path find_plugin() {
   std::error_code error;
   const fs::path above = program_path().parent_path().parent_path();
   for (const char* folder : {"lib", BOXPLUS_LIBRARY_FOLDER}) {
-    const fs::path path = above / folder / "boxplus" / "boxplus_petsc.so";
+    fs::path path = above / folder / "boxplus" / "boxplus_petsc.so";
     if (fs::exists(path, error)) return path;
   }
   return {};

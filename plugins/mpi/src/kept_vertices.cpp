@@ -116,11 +116,12 @@ KeptVertices::KeptVertices(Communicator& communicator, const Graph& graph, const
     dims_.push_back(vertex.record.dim());
     scalars_ += vertex.record.dim();
   }
-  if (count() > most)
+  if (count() > most) {
     throw InvalidArgument("expected at most " + std::to_string(most) +
                           " vertices that are not eliminated, because each process solves for all of them "
                           "(unless PETSc divides their system); got " +
                           std::to_string(count()));
+  }
   own_unknowns_ = plan.free_scalars();
   for (std::uint32_t block = first_kept(plan); block < plan.structure.blocks(); ++block) {
     const VertexRef& vertex = plan.block_vertex[block];

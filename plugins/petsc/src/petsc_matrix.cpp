@@ -79,11 +79,12 @@ std::uint32_t Layout::find_block(PetscInt scalar) const {
 
 Matrix::Matrix(const Calls& calls, const BlockStructure& structure, const Layout& layout, MatType type)
     : structure_(&structure), layout_(&layout) {
-  if (layout.any(calls, 2 * std::uint64_t{structure.nonzero_values()} > kMost))
+  if (layout.any(calls, 2 * std::uint64_t{structure.nonzero_values()} > kMost)) {
     throw InvalidArgument("PETSc: expected at most " + std::to_string(kMost / 2) +
                           " values in the lower triangle" +
                           (layout.processes() > 1 ? " of what a process contributes; use more processes"
                                                   : ", got " + std::to_string(structure.nonzero_values())));
+  }
   const PetscInt first = layout.first_row(layout.rank()), end = layout.first_row(layout.rank() + 1);
   const PetscInt rows = layout.first_scalar(end) - layout.first_scalar(first);
   const bool has_equal_blocks = layout.block_size() > 0;
