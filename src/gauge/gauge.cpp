@@ -30,6 +30,8 @@ struct Component : GaugeComponent {
 };
 
 class GaugeFinder {
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
  public:
   GaugeFinder(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
               GaugeBounds bounds, const StopToken& stop)
@@ -49,8 +51,7 @@ class GaugeFinder {
   }
 
  private:
-  std::vector<Component> components(const std::vector<std::vector<std::uint32_t>>& active_edges) const {
-    constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  std::vector<Component> components(const std::vector<std::vector<std::uint32_t>>& active_edges) {
     PacedStop pace(stop_);
     const auto for_each_edge = [&](auto&& f) {
       for (std::uint32_t p = 0; p < active_edges.size(); ++p) {
@@ -91,7 +92,26 @@ class GaugeFinder {
         if (component != kNone) add_vertex(v, result[component]);
       }
     }
+    find_shared(result);
     return result;
+  }
+
+  /// Finds the parameters that edges of several components have.
+  void find_shared(const std::vector<Component>& components) {
+    is_shared_.assign(ends_.view().numbers(), 0);
+    if (components.size() < 2) return;
+    std::vector<std::uint32_t> first(ends_.view().numbers(), kNone);  // component
+    PacedStop pace(stop_);
+    for (std::uint32_t c = 0; c < components.size(); ++c) {
+      for (const EdgeSlot edge : components[c].edges) {
+        pace.step();
+        ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
+          const std::uint32_t number = ends_.number(v);
+          if (first[number] == kNone) first[number] = c;
+          if (first[number] != c) is_shared_[number] = 1;
+        });
+      }
+    }
   }
 
   void add_vertex(VertexSlot v, Component& component) const {
@@ -152,7 +172,7 @@ class GaugeFinder {
       if (component.most_anchor_rows >= pool_of(first).tangent_dim(first.slot)) return;
       if (!component.anchored) return hold_rigid(component, first, frame.dimension);
     }
-    if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, ends_, stop_);
+    if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, ends_, is_shared_, stop_);
     test_->select(component.vertices, component.edges, component.anchors);
     const std::size_t held = gauge_.held.size(), held_directions = gauge_.held_directions.size();
     for (const int dimension : {2, 3}) {
@@ -283,6 +303,7 @@ class GaugeFinder {
 
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;
+  std::vector<std::uint8_t> is_shared_;  // by GraphView::number()
   EdgeEnds ends_;
   GaugePolicy policy_;
   GaugeBounds bounds_;

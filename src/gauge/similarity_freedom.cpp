@@ -27,11 +27,12 @@ void add_resistance(const MatrixXd& changes, const VectorXd& magnitudes, MatrixX
 }  // namespace
 
 SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
-                               const EdgeEnds& ends, const StopToken& stop)
+                               const EdgeEnds& ends, std::span<const std::uint8_t> shared,
+                               const StopToken& stop)
     : graph_(graph),
       ends_(ends),
       stop_(stop),
-      own_(own_directions(graph, movable)),
+      own_(own_directions(movable, shared)),
       kind_of_(ends.view().numbers()),
       tangents_(ends.view().numbers()) {
   for (const auto& pool : graph.vertex_pools()) roles_.emplace_back(pool->slots(), WorldRole::kNone);
@@ -156,16 +157,18 @@ std::vector<VertexSlot> SimilarityTest::moving_ends(std::span<const EdgeSlot> ed
   return ends;
 }
 
-/// The directions of all moving vertices without a frame; none if there are too many.
+/// The directions of all moving vertices without a frame that belong to one component; none if there are too
+/// many.
 std::vector<OwnDirection> SimilarityTest::own_directions(
-    const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable) {
+    const std::vector<std::vector<std::uint8_t>>& movable, std::span<const std::uint8_t> shared) const {
   std::vector<OwnDirection> own;
   for (std::uint32_t p = 0; p < movable.size(); ++p) {
-    const detail::VertexPool& pool = *graph.vertex_pools()[p];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[p];
     for (std::uint32_t slot = 0; slot < movable[p].size(); ++slot) {
       detail::Frame frame;
       if (!movable[p][slot]) continue;
       if (pool.get_frame(slot, frame)) break;  // all vertices of a pool have one type
+      if (shared[ends_.number({p, slot})]) continue;
       const auto fixed = pool.fixed_directions(slot);
       for (int i = 0; i < pool.tangent_dim(slot); ++i) {
         if (std::find(fixed.begin(), fixed.end(), i) != fixed.end()) continue;

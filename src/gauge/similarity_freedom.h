@@ -49,7 +49,8 @@ struct SimilarityFreedom {
 /// edges, and uses the combination with the most free motions.
 ///
 /// Vertices that have no frame are shared by many edges, so the test considers their changes only if they
-/// have at most kMostOwn directions in all.
+/// have at most kMostOwn directions in all, and if no edges of other components share them, which would have
+/// to leave these changes free, too.
 class SimilarityTest {
  public:
   /// kSample tests at most kTestedEdges edges of each pool, and as many of its anchors, evenly spaced. This
@@ -58,9 +59,10 @@ class SimilarityTest {
   static constexpr std::size_t kTestedEdges = 512;
   static constexpr std::size_t kMostOwn = 8;
 
-  /// `movable` says for each slot of each vertex pool whether the vertex moves.
+  /// `movable` says for each slot of each vertex pool whether the vertex moves, and `shared` for each vertex
+  /// whether several components have edges with it, by GraphView::number().
   SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
-                 const EdgeEnds& ends, const StopToken& stop);
+                 const EdgeEnds& ends, std::span<const std::uint8_t> shared, const StopToken& stop);
 
   /// Selects a component. `anchors` are its edges that tie it to the world. The edges of a pool must be
   /// contiguous.
@@ -92,8 +94,8 @@ class SimilarityTest {
   void choose_roles(int dimension);
   std::vector<EdgeSlot> sample(std::size_t count) const;
   std::vector<VertexSlot> moving_ends(std::span<const EdgeSlot> edges) const;
-  static std::vector<OwnDirection> own_directions(const Graph& graph,
-                                                  const std::vector<std::vector<std::uint8_t>>& movable);
+  std::vector<OwnDirection> own_directions(const std::vector<std::vector<std::uint8_t>>& movable,
+                                           std::span<const std::uint8_t> shared) const;
   SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                  int dimension, std::vector<OwnDirection> own);
   WorldMotions motions_about_center(std::span<const VertexSlot> vertices, int dimension) const;

@@ -372,6 +372,33 @@ TEST(Gauge, OfAScaleIsNotFreeIfTheFocalLengthIsAFixedDirectionOfAParameter) {
   EXPECT_THAT(names_of(gauge_of(graph)), IsEmpty());
 }
 
+TEST(Gauge, OfPointsThatOnlyAFocalLengthConnectsIsNotFree) {
+  // Each point has as many errors as coordinates, but all of them together determine the focal length.
+  Graph graph;
+  const auto f = graph.add_parameter(1.2);
+  graph.unfix(f);
+  std::vector<VertexHandle<SE2>> cameras;
+  for (int k = 0; k < 2; ++k) cameras.push_back(graph.add_vertex(pose(k)));
+  for (const auto& camera : cameras) graph.fix(camera);
+  const auto add_points = [&](int count) {
+    for (int k = 0; k < count; ++k) {
+      const auto point = graph.add_vertex(Vector2(2 + std::sin(2 * k), 3 + std::cos(3 * k)));
+      for (const auto& camera : cameras) {
+        graph.add_edge(
+            [](const auto& p, const auto& l, const auto& c) {
+              const auto y = p.inverse_times(l).eval();
+              return c * y[0] / y[1];
+            },
+            camera, point, f);
+      }
+    }
+  };
+  add_points(1);
+  EXPECT_THAT(gauge_of(graph).freedoms, SizeIs(1));
+  add_points(4);
+  EXPECT_THAT(gauge_of(graph).freedoms, IsEmpty());
+}
+
 TEST(Gauge, OfATranslationThatIsFreeTogetherWithAnOffsetHoldsTheOffset) {
   // Positions are measured with an unknown offset in x.
   Graph graph;

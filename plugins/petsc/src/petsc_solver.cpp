@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <span>
 #include <utility>
@@ -112,6 +113,8 @@ Solver::Solver(const std::string& options, MPI_Comm communicator, bool is_divide
       has_own_limit_(texts_.contains("-ksp_max_it")) {
   if (texts_.contains("-mat_block_size"))
     throw InvalidArgument("PETSc: expected options without -mat_block_size, which the graph decides");
+  if (std::isnan(std::strtod(option("-ksp_rtol").c_str(), nullptr)))
+    throw InvalidArgument("PETSc: expected a number after -ksp_rtol, got '" + option("-ksp_rtol") + "'");
 }
 
 /// The value of an option, or `absent`.

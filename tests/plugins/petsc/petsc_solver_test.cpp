@@ -327,6 +327,8 @@ TEST(PetscSolver, RefusesOptionsThatPetscDoesNotKnow) {
   EXPECT_THAT(message_for("-pc_type cholewsky"), HasSubstr("cholewsky"));
   EXPECT_THAT(message_for("-mat_type blocky"), HasSubstr("blocky"));
   EXPECT_THAT(message_for("-ksp_type cg -ksp_max_it many"), HasSubstr("many"));
+  EXPECT_THAT(message_for("-ksp_type cg -ksp_rtol nan"), HasSubstr("expected a number after -ksp_rtol"));
+  EXPECT_THAT(message_for("-mat_block_size 2"), HasSubstr("-mat_block_size"));
   EXPECT_THAT(message_for("-ksp_max_it 3"), HasSubstr("-ksp_max_it"));  // preonly does not iterate
   EXPECT_THAT(message_for("-kps_type cg"), HasSubstr("-kps_type"));
   EXPECT_THAT(message_for("-pc_factor_mat_solver_type none_such -ksp_type preonly"), HasSubstr("none_such"));
