@@ -247,7 +247,7 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
 [[gnu::flatten]] MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices,
                                                      std::span<const EdgeSlot> edges,
                                                      const WorldMotions& motions, MatrixXd candidates) const {
-  constexpr double kNothing = 1e-12;
+  constexpr double kNothing = 1e-12, kRounding = 1e-15;
   MatrixXd sum = MatrixXd::Zero(motions.count(), motions.count()), jacobian, changes;
   for (const VertexSlot v : vertices) {
     const Tangents& tangents = tangents_[ends_.number(v)];
@@ -286,7 +286,8 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
     if (sum(i, i) > 0) candidates.row(i) /= std::sqrt(sum(i, i));
   }
   const MatrixXd among = candidates.transpose() * sum * candidates;
-  return candidates * eigenvectors_of(among, [](double resistance) { return resistance <= kNothing; });
+  const double nothing = std::max(kNothing, kRounding * among.trace());  // eigenvalues have rounding errors
+  return candidates * eigenvectors_of(among, [&](double resistance) { return resistance <= nothing; });
 }
 
 }  // namespace boxplus

@@ -2,6 +2,7 @@
 #include "gauge/world_motion.h"
 
 #include <Eigen/Geometry>
+#include <array>
 
 namespace boxplus {
 namespace {
@@ -57,9 +58,11 @@ bool world_frame(const Graph& graph, VertexSlot vertex, WorldRole role, int dime
   return true;
 }
 
-/// Uses central differences, whose truncation error is below 1e-9 of the result.
+/// Uses central differences, whose truncation error is below 1e-9 of the result. Their steps are large, so
+/// that rounding errors are small, too, if the world is far from the origin.
 MatrixXd motion_tangents(const Graph& graph, VertexSlot vertex, WorldRole role, const WorldMotions& motions) {
-  constexpr double kAmount = 3e-5;
+  constexpr double kAmount = 0.01;
+  constexpr std::array kWeights{8.0 / 12, -1.0 / 12};  // of order 4
   const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
   const int dim = pool.tangent_dim(vertex.slot);
   MatrixXd tangents = MatrixXd::Zero(dim, motions.count());
@@ -76,10 +79,14 @@ MatrixXd motion_tangents(const Graph& graph, VertexSlot vertex, WorldRole role, 
     if (role == WorldRole::kInverse) there = there.inverse();
     pool.tangent_to_frame(vertex.slot, frame_of(there, frame.dimension, frame.has_rotation), tangent);
   };
+  const auto add_difference = [&](int m, double amount, double weight) {
+    tangent_after(m, amount, forward.data());
+    tangent_after(m, -amount, backward.data());
+    tangents.col(m) += weight * (forward - backward);
+  };
   for (int m = 0; m < motions.in_world(); ++m) {
-    tangent_after(m, kAmount, forward.data());
-    tangent_after(m, -kAmount, backward.data());
-    tangents.col(m) = (forward - backward) / (2 * kAmount);
+    for (std::size_t k = 0; k < kWeights.size(); ++k)
+      add_difference(m, kAmount * static_cast<double>(k + 1), kWeights[k] / kAmount);
   }
   if (role == WorldRole::kSimilarity) tangents(dim - 1, motions.in_world() - 1) += 1;
   return tangents;

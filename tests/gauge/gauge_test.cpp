@@ -112,12 +112,14 @@ TEST(Gauge, IsNoErrorIfOneOfManyEdgesOfATypeMeasuresIt) {
   EXPECT_THAT(gauge_of(graph, GaugePolicy::kError).freedoms, IsEmpty());
 }
 
-TEST(Gauge, IsFoundInWorldsOfAnySize) {
-  for (const double size : {5e-6, 1.0, 1e7}) {
+TEST(Gauge, IsFoundInWorldsOfAnySizeAndAnywhere) {
+  for (const auto& [size, north] :
+       {std::pair(5e-6, 0.0), std::pair(1.0, 0.0), std::pair(1e7, 0.0), std::pair(1.0, 5e6)}) {
     Graph graph;
     std::vector<VertexHandle<SE2>> poses;
     for (int k = 0; k < 5; ++k)
-      poses.push_back(graph.add_vertex(SE2(size * place(k)[0], size * place(k)[1], 0.4 * k)));
+      poses.push_back(
+          graph.add_vertex(SE2(0.1 * north + size * place(k)[0], north + size * place(k)[1], 0.4 * k)));
     for (std::size_t k = 1; k < poses.size(); ++k) graph.add_edge(Motion{}, poses[k - 1], poses[k]);
     EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(0)) << size;
     graph.add_edge([](const auto& p) { return p.translation().eval(); }, poses[2]);
