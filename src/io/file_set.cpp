@@ -153,11 +153,12 @@ void replace_together(const std::string& folder, std::span<const NewFile> files)
 
 void open_together(const std::string& folder, detail::FunctionRef<void()> open) {
   const FileDescriptor lock = locked(folder, FolderLock::kShared);
-  if (is_taken(unfinished_path(folder)))
+  if (is_taken(unfinished_path(folder))) {
     throw FileError(fmt::format(
         "{}: expected files that were written together, but writing them was interrupted, so that "
         "old and new files may be mixed; {} in this folder lists the files to rename",
         folder, kUnfinished));
+  }
   open();
 }
 

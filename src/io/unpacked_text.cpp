@@ -42,11 +42,12 @@ class Unpacker {
     result_.size += text.size();
     if (result_.size > limits_.size)
       throw FileError(fmt::format("{}: cannot be unpacked: expected at most {} bytes", path_, limits_.size));
-    if (result_.size > limits_.small_size && result_.size / limits_.ratio > packed)
+    if (result_.size > limits_.small_size && result_.size / limits_.ratio > packed) {
       throw FileError(fmt::format(
           "{}: cannot be unpacked: expected a text that is at most {} times as long as the packed "
           "file, got {} bytes from {} (to read it anyway, unpack it with gunzip)",
           path_, limits_.ratio, result_.size, packed));
+    }
     if (!result_.file.is_open() && result_.size > kLongestInMemory) {
       result_.file = make_temporary(path_);
       write(std::exchange(result_.text, {}));

@@ -66,10 +66,11 @@ void use_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]] std::
   // last page.
   constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage, end = (address + bytes) / kPage * kPage;
-  if (begin >= end) return;
+  const std::uintptr_t before = (kPage - address % kPage) % kPage, after = (address + bytes) % kPage;
+  if (before + after >= bytes) return;
+  char* const begin = const_cast<char*>(static_cast<const char*>(memory)) + before;
   const int error = errno;  // restored below, because a system without large pages is not an error
-  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  madvise(begin, bytes - before - after, MADV_HUGEPAGE);
   errno = error;
 #endif
 }
