@@ -159,8 +159,12 @@ TEST_P(EndOfBundleRun, IsAtAMinimumIfItIsConverged) {
       for (const double point_noise : {15.0, 30.0}) run(seed, pose_noise, point_noise);
     }
   }
-  // Of 24 runs. From so far away, rounding decides where a run ends: on 64-bit ARM, one ends early.
-  EXPECT_LE(early, 1) << reports.str();
+#ifdef __aarch64__
+  constexpr int kMostEarly = 1;  // a run from far away ends elsewhere if numbers are rounded differently
+#else
+  constexpr int kMostEarly = 0;
+#endif
+  EXPECT_LE(early, kMostEarly) << reports.str();
 }
 
 INSTANTIATE_TEST_SUITE_P(Optimize, EndOfBundleRun,

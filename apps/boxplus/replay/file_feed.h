@@ -11,9 +11,9 @@
 namespace boxplus::app {
 
 /// Lets the vertices of a graph take part one by one, as a robot would add them. Step k adds the vertex with
-/// the k-th lowest id, and the edges between it and vertices before it. Until then, an edge has level 1, so
-/// that it takes no part. A new pose or point begins where its first edge puts it; the estimates of the file
-/// do not count, except those of fixed vertices.
+/// the k-th lowest id, and the edges between it and vertices before it. An edge has level 1, and takes no
+/// part, until its last vertex is added. The first edge of a new pose or point gives its estimate; those of
+/// the file count only for fixed vertices.
 class FileFeed {
  public:
   /// `graph` must outlive this object.

@@ -16,7 +16,7 @@ SharedSolver::SharedSolver(std::shared_ptr<LinearSolver> inner, Communicator& co
                           std::string(inner_->name()) + "', which takes an operator");
 }
 
-/// Where the inner system has the vertices of this process.
+/// Finds the place of each vertex of this process in the inner system.
 void SharedSolver::find_places() {
   const std::span<const KeptVertices::Local> local = kept_->local();
   vertices_.clear();

@@ -41,6 +41,14 @@ class Calls {
   std::string message_;  // of the last error
 };
 
+/// Whether an object of PETSc has this type.
+template <class T>
+bool is_type(const Calls& calls, T object, const char* type) {
+  PetscBool same = PETSC_FALSE;
+  calls(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(object), type, &same));
+  return same;
+}
+
 /// An object of PETSc, which Destroy destroys.
 template <class T, PetscErrorCode (*Destroy)(T*)>
 class Owned {

@@ -35,13 +35,6 @@ constexpr double kUseless = 1e-3;
 /// A round of corrections must reduce the residual to this fraction of itself. Otherwise, it was the last.
 constexpr double kProgress = 0.5;
 
-template <class T>
-bool is_type(const Calls& calls, T object, const char* type) {
-  PetscBool same = PETSC_FALSE;
-  calls(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(object), type, &same));
-  return same;
-}
-
 /// Whether the preconditioner is A⁻¹, except for rounding.
 bool factorizes(const Calls& calls, PC pc) {
   return is_type(calls, pc, PCCHOLESKY) || is_type(calls, pc, PCLU);
@@ -264,6 +257,7 @@ FactorResult Solver::factorize(const BlockSystem& system, const Damping& damping
   if (problem_) {
     problem_->matrix.assign(calls, values.data(), damping);
     if (const FactorResult result = check_diagonal(calls); result.status != LinearStatus::kOk) return result;
+    has_failed_ = true;  // until this function ends without an exception
     // Otherwise, PETSc would notice the new values only in KSPSolve().
     calls(KSPSetOperators(problem_->ksp, problem_->matrix, problem_->matrix));
     calls(KSPSetUp(problem_->ksp));
@@ -299,41 +293,36 @@ FactorResult Solver::setup_failure(const Calls& calls) {
   if (reason == PC_FACTOR_OUTMEMORY)
     throw Error("PETSc: the factorization needs more memory (for MUMPS, see -mat_mumps_icntl_14)");
   if (reason == PC_FACTOR_OTHER) {
-    const PetscInt code = is_direct_ ? code_of_mumps(calls) : 0;
+    const std::optional<PetscInt> code = is_direct_ ? infog_of_mumps(calls, 1) : std::nullopt;
     throw Error("PETSc: the factorization failed" +
-                (code < 0 ? " (INFOG(1) of MUMPS is " + std::to_string(code) + ")" : std::string()));
+                (code ? " (INFOG(1) of MUMPS is " + std::to_string(*code) + ")" : std::string()));
   }
   if (reason != PC_NOERROR || (is_direct_ && has_negative_pivot(calls)))
     return {LinearStatus::kNotPositiveDefinite};
   return {};
 }
 
-/// INFOG(1) of MUMPS, or 0 if another library factorizes.
-PetscInt Solver::code_of_mumps(const Calls& calls) const {
+/// INFOG(index) of MUMPS; nullopt if another library factorizes.
+std::optional<PetscInt> Solver::infog_of_mumps(const Calls& calls, PetscInt index) const {
   Mat factor = nullptr;
   MatSolverType package = nullptr;
-  PetscInt code = 0;
   calls(PCFactorGetMatrix(problem_->pc, &factor));
   calls(MatFactorGetSolverType(factor, &package));
-  if (package != nullptr && std::string(package) == MATSOLVERMUMPS) calls(MatMumpsGetInfog(factor, 1, &code));
-  return code;
+  if (package == nullptr || std::string(package) != MATSOLVERMUMPS) return std::nullopt;
+  PetscInt value = 0;
+  calls(MatMumpsGetInfog(factor, index, &value));
+  return value;
 }
 
 /// Whether the factor has a negative pivot. (Some factorizations of PETSc do not say.)
 bool Solver::has_negative_pivot(const Calls& calls) const {
+  if (const std::optional<PetscInt> negative = infog_of_mumps(calls, 12)) return *negative > 0;
   Mat factor = nullptr;
   calls(PCFactorGetMatrix(problem_->pc, &factor));
-  MatSolverType package = nullptr;
-  calls(MatFactorGetSolverType(factor, &package));
-  PetscInt negative = 0;
-  if (package != nullptr && std::string(package) == MATSOLVERMUMPS) {
-    calls(MatMumpsGetInfog(factor, 12, &negative));
-  } else {
-    PetscInt zero = 0, positive = 0;
-    const PetscErrorCode code = MatGetInertia(factor, &negative, &zero, &positive);
-    if (code == PETSC_ERR_SUP) return false;
-    calls(code);
-  }
+  PetscInt negative = 0, zero = 0, positive = 0;
+  const PetscErrorCode code = MatGetInertia(factor, &negative, &zero, &positive);
+  if (code == PETSC_ERR_SUP) return false;
+  calls(code);
   return negative > 0;
 }
 

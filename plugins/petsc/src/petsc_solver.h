@@ -64,7 +64,7 @@ class Solver final : public LinearSolver {
   void store(const Calls& calls, double* x);
   FactorResult check_diagonal(const Calls& calls);
   FactorResult setup_failure(const Calls& calls);
-  PetscInt code_of_mumps(const Calls& calls) const;
+  std::optional<PetscInt> infog_of_mumps(const Calls& calls, PetscInt index) const;
   FactorResult find_lost_pivot(const Calls& calls);
   void collect_statistics(const Calls& calls);
   SolveResult solve_column(const Calls& calls, const double* b, double* x, const SolveControl& control);

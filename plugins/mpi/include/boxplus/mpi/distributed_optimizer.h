@@ -24,8 +24,8 @@ struct [[nodiscard]] DistributedReport : Report {
   std::uint32_t kept = 0;
   /// The numbers of edges, of eliminated vertices and of kept vertices that take part in this process.
   std::uint32_t own_edges = 0, own_eliminated = 0, own_kept = 0;
-  /// The bytes that this process has sent during the run, and those of all processes. What a solver sends
-  /// that divides the system does not count.
+  /// The bytes that this process has sent during the run, and those of all processes, without those that a
+  /// solver sends if it divides the system.
   std::uint64_t sent_bytes = 0, all_sent_bytes = 0;
 };
 
