@@ -9,6 +9,7 @@
 #include "base/all_finite.h"
 #include "base/paced_stop.h"
 #include "base/symmetric_eigen.h"
+#include "graph/weighted_rows.h"
 
 namespace boxplus {
 namespace {
@@ -265,7 +266,7 @@ void Evidence::add_edge(PoolEvidence& evidence, std::uint32_t slot, const double
     weight = std::max(0.0, rho.first);
     has_kernels = true;
   }
-  rows += n;
+  rows += static_cast<std::uint64_t>(weighted_rows(omega));
   evidence.chi2.push_back(e2);
   evidence.signatures.push_back(
       all_zero(jacobian, size) ? 0 : signature_of(pool.vertex_slots(slot), error, shape.rows));

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/paced_stop.h"
 #include "gauge/edge_ends.h"
 #include "gauge/similarity_freedom.h"
 #include "gauge/subspace.h"
+#include "graph/weighted_rows.h"
 
 namespace boxplus {
 namespace {
@@ -27,6 +30,10 @@ struct Component : GaugeComponent {
   int most_anchor_rows = 0;       // the most rows of an edge with exactly one moving vertex
   bool only_rigid = true;         // whether all edges are of types that measure poses relative to each other
   bool bounded = false;           // whether an entry of a vertex has bounds
+  // The vertices that its edges share with other components, such as the calibration of a sensor that made
+  // several maps. They do not move with the world.
+  std::vector<VertexSlot> left_out;
+  std::vector<VertexSlot> shared;  // those of `left_out` that are listed with this component
 };
 
 class GaugeFinder {
@@ -44,8 +51,11 @@ class GaugeFinder {
 
   Gauge find(const std::vector<std::vector<std::uint32_t>>& active_edges) {
     for (Component& component : components(active_edges)) {
-      decide(component);
-      gauge_.components.push_back(std::move(component));
+      for (Component& part : parts_of(std::move(component))) {
+        decide(part);
+        part.vertices.insert(part.vertices.end(), part.shared.begin(), part.shared.end());
+        gauge_.components.push_back(std::move(part));
+      }
     }
     return std::move(gauge_);
   }
@@ -128,10 +138,11 @@ class GaugeFinder {
 
   void add_edge(EdgeSlot edge, int moving, Component& component) const {
     component.edges.push_back(edge);
-    component.only_rigid = component.only_rigid && graph_.edge_pools()[edge.pool]->is_rigid();
-    if (moving == 1)
-      component.most_anchor_rows =
-          std::max(component.most_anchor_rows, graph_.edge_pools()[edge.pool]->shape(edge.slot).rows);
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const int rows = pool.shape(edge.slot).rows,
+              structural = structural_rows(pool.information(edge.slot, rows));
+    component.only_rigid = component.only_rigid && pool.is_rigid() && structural == rows;
+    if (moving == 1) component.most_anchor_rows = std::max(component.most_anchor_rows, structural);
     bool anchors = moving == 1;
     ends_.for_each(edge, [&](VertexSlot, EdgeEnds::End end, std::size_t) {
       anchors = anchors || end == EdgeEnds::End::kFixed;
@@ -164,16 +175,138 @@ class GaugeFinder {
     return first_by(component.vertices, [this](VertexSlot v) { return rank(v); });
   }
 
-  void decide(Component& component) {
-    const VertexSlot any = component.vertices.front();
+  bool is_rigid(const Component& component) const {
     detail::Frame frame;
-    if (component.only_rigid && pool_of(any).get_frame(any.slot, frame)) {
+    const VertexSlot any = component.vertices.front();
+    return component.only_rigid && pool_of(any).get_frame(any.slot, frame);
+  }
+
+  void select(const Component& component) {
+    is_selected_ = false;
+    if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, ends_, is_shared_, stop_);
+    test_->select(component.vertices, component.edges, component.anchors, component.left_out);
+  }
+
+  /// If the vertices that do not move with the world join parts that can move by themselves, returns these
+  /// parts. Which vertices these are shows in how many motions are free without them. A single vertex is no
+  /// part, because its motions may be free for lack of edges: a point that one camera sees may move towards
+  /// it.
+  std::vector<Component> parts_of(Component whole) {
+    std::vector<std::vector<Component>> choices;
+    if (!is_rigid(whole)) {
+      for (const std::vector<VertexSlot>& left_out : possibly_shared(whole)) {
+        std::vector<Component> parts = parts_without(whole, left_out);
+        if (!parts.empty()) choices.push_back(std::move(parts));
+      }
+    }
+    std::vector<Component> best;
+    best.push_back(std::move(whole));
+    int most = choices.empty() ? 0 : free_motions(best);
+    for (std::vector<Component>& parts : choices) {
+      const int motions = free_motions(parts);
+      if (motions > most) best = std::move(parts);
+      most = std::max(most, motions);
+    }
+    return best;
+  }
+
+  int free_motions(std::span<const Component> components) {
+    int motions = 0;
+    for (const Component& component : components) {
+      select(component);
+      for (const int dimension : {2, 3})
+        motions += test_->find(dimension, SimilarityTest::Extent::kAllEdges).directions();
+    }
+    return motions;
+  }
+
+  /// Sets of vertices that may not move with the world: those without a frame, and these together with those
+  /// of another kind that has few, unless there are many such kinds.
+  std::vector<std::vector<VertexSlot>> possibly_shared(const Component& component) {
+    constexpr std::size_t kFew = 8, kMostSets = 4;
+    select(component);
+    std::vector<VertexSlot> without_frame;
+    std::map<std::uint32_t, std::vector<VertexSlot>> with_frame;  // of each kind, at most kFew + 1
+    for (const VertexSlot v : component.vertices) {
+      detail::Frame frame;
+      const bool has_frame = pool_of(v).get_frame(v.slot, frame);
+      std::vector<VertexSlot>& list = has_frame ? with_frame[test_->kind(v)] : without_frame;
+      if (!has_frame || list.size() <= kFew) list.push_back(v);
+    }
+    std::vector<std::vector<VertexSlot>> sets;
+    for (auto& [kind, list] : with_frame) {
+      if (list.size() > kFew || with_frame.size() == 1) continue;
+      list.insert(list.end(), without_frame.begin(), without_frame.end());
+      sets.push_back(std::move(list));
+    }
+    if (sets.size() > kMostSets) sets.clear();  // each costs time
+    is_selected_ = true;
+    if (!without_frame.empty() && !with_frame.empty()) sets.push_back(std::move(without_frame));
+    return sets;
+  }
+
+  /// The components of a component from which vertices are left out. The first one lists these. Returns
+  /// nothing if there is only one, or if one of them is a single vertex.
+  std::vector<Component> parts_without(const Component& whole, const std::vector<VertexSlot>& left_out) {
+    number_vertices(whole);
+    for (const VertexSlot v : left_out) local_[ends_.number(v)] = kNone;
+    const auto for_each_moving = [&](EdgeSlot edge, auto&& f) {
+      ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
+        if (local(v) != kNone) f(local(v));
+      });
+    };
+    DisjointSets sets(static_cast<std::uint32_t>(whole.vertices.size()));
+    for (const EdgeSlot edge : whole.edges) {
+      std::uint32_t last = kNone;
+      for_each_moving(edge, [&](std::uint32_t vertex) {
+        if (last != kNone) sets.join(last, vertex);
+        last = vertex;
+      });
+    }
+    std::vector<Component> parts;
+    std::vector<std::uint32_t> part_of(whole.vertices.size(), kNone);  // of each root
+    for (const VertexSlot v : whole.vertices) {
+      if (local(v) == kNone) continue;
+      std::uint32_t& part = part_of[sets.find(local(v))];
+      if (part == kNone) {
+        part = static_cast<std::uint32_t>(parts.size());
+        parts.emplace_back();
+      }
+      add_vertex(v, parts[part]);
+    }
+    const auto is_single = [](const Component& part) { return part.vertices.size() == 1; };
+    if (parts.size() == 1 || std::ranges::any_of(parts, is_single)) return {};
+    for (const EdgeSlot edge : whole.edges) {
+      std::uint32_t root = kNone;
+      int moving = 0;
+      for_each_moving(edge, [&](std::uint32_t vertex) {
+        root = sets.find(vertex);
+        ++moving;
+      });
+      if (moving > 0) add_edge(edge, moving, parts[part_of[root]]);
+    }
+    for (Component& part : parts) part.left_out = left_out;
+    if (!parts.empty()) parts.front().shared = left_out;
+    return parts;
+  }
+
+  /// Numbers the vertices of a component for local().
+  void number_vertices(const Component& component) {
+    local_.resize(ends_.view().numbers());
+    for (std::uint32_t k = 0; k < component.vertices.size(); ++k)
+      local_[ends_.number(component.vertices[k])] = k;
+  }
+  std::uint32_t local(VertexSlot v) const { return local_[ends_.number(v)]; }
+
+  void decide(Component& component) {
+    if (is_rigid(component)) {
       const VertexSlot first = first_choice(component);
+      detail::Frame frame;
+      pool_of(first).get_frame(first.slot, frame);
       if (component.most_anchor_rows >= pool_of(first).tangent_dim(first.slot)) return;
       if (!component.anchored) return hold_rigid(component, first, frame.dimension);
     }
-    if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, ends_, is_shared_, stop_);
-    test_->select(component.vertices, component.edges, component.anchors);
+    if (!std::exchange(is_selected_, false)) select(component);
     const std::size_t held = gauge_.held.size(), held_directions = gauge_.held_directions.size();
     for (const int dimension : {2, 3}) {
       SimilarityFreedom freedom = freedom_of(component, dimension);
@@ -277,22 +410,45 @@ class GaugeFinder {
     });
   }
 
+  /// Whether each vertex of a component has at least as many rows of edges as unknowns. If it has fewer,
+  /// holding one of the unknowns may not hold the world: a point that one camera sees may move towards it.
+  std::vector<bool> find_determined(const Component& component) {
+    number_vertices(component);
+    for (const VertexSlot v : component.left_out) local_[ends_.number(v)] = kNone;
+    std::vector<int> rows(component.vertices.size(), 0);
+    for (const EdgeSlot edge : component.edges) {
+      const int more = structural_rows(graph_.edge_pools()[edge.pool]->information(edge.slot));
+      ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
+        if (local(v) != kNone) rows[local(v)] += more;
+      });
+    }
+    std::vector<bool> is_determined;
+    for (const VertexSlot v : component.vertices)
+      is_determined.push_back(rows[local(v)] >= pool_of(v).tangent_dim(v.slot));
+    return is_determined;
+  }
+
   /// Holds as many tangent directions as there are free motions, preferably directions of `first`. Every free
   /// motion changes at least one held direction. So there is an exact Gauss-Newton step that is zero in all
   /// held directions.
   void hold_directions(const Component& component, VertexSlot first, SimilarityFreedom left) {
+    std::vector<bool> is_determined;
     while (left.directions() > 0) {
       const auto row_norms = [&](VertexSlot v) -> Eigen::VectorXd {
         return left.of_vertex(graph_, v).rowwise().norm();
       };
       VertexSlot best = first;
-      double most = kNoticeable * left.unit();
-      if (pool_of(first).eliminated(first.slot) || row_norms(first).maxCoeff() <= most) {
-        for (const VertexSlot v : component.vertices) {
-          const double size = pool_of(v).eliminated(v.slot) ? 0 : row_norms(v).maxCoeff();
-          if (size > most) std::tie(most, best) = std::tuple(size, v);
+      const double least = kNoticeable * left.unit();
+      if (pool_of(first).eliminated(first.slot) || row_norms(first).maxCoeff() <= least) {
+        if (is_determined.empty()) is_determined = find_determined(component);
+        std::tuple most(false, least);
+        for (std::size_t k = 0; k < component.vertices.size(); ++k) {
+          const VertexSlot v = component.vertices[k];
+          if (pool_of(v).eliminated(v.slot)) continue;
+          const std::tuple size(bool{is_determined[k]}, row_norms(v).maxCoeff());
+          if (std::get<1>(size) > least && size > most) std::tie(most, best) = std::tuple(size, v);
         }
-        if (most <= kNoticeable * left.unit()) return;
+        if (std::get<1>(most) <= least) return;
       }
       Eigen::Index row = 0;
       row_norms(best).maxCoeff(&row);
@@ -304,11 +460,13 @@ class GaugeFinder {
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;
   std::vector<std::uint8_t> is_shared_;  // by GraphView::number()
+  std::vector<std::uint32_t> local_;     // of the vertices of a component, by GraphView::number()
   EdgeEnds ends_;
   GaugePolicy policy_;
   GaugeBounds bounds_;
   const StopToken& stop_;
   std::unique_ptr<SimilarityTest> test_;
+  bool is_selected_ = false;  // whether the component to decide on is that of `test_`
   Gauge gauge_;
 };
 

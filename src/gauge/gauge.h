@@ -44,7 +44,8 @@ enum class GaugeBounds : std::uint8_t { kApply, kIgnore };
 /// Finds the gauge freedom of every component of the active graph. `active_edges` lists the slots of each
 /// edge pool. `movable` has a flag for each slot of each vertex pool. If the types of all edges in a
 /// component only measure relative poses or priors, it is usually enough to count the rows of its priors. For
-/// all other components, tests whether a similarity of the world changes an error (similarity_freedom.h).
+/// all other components, tests whether a similarity of the world changes an error (similarity_freedom.h). If
+/// some rows of an Ω are zero, these rows measure nothing.
 /// Throws Stopped when `stop` is raised.
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
                  const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,

@@ -7,6 +7,7 @@
 
 #include "base/paced_stop.h"
 #include "gauge/subspace.h"
+#include "graph/weighted_rows.h"
 
 namespace boxplus {
 namespace {
@@ -32,18 +33,24 @@ SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector
     : graph_(graph),
       ends_(ends),
       stop_(stop),
-      own_(own_directions(movable, shared)),
+      all_own_(own_directions(movable, shared)),
       kind_of_(ends.view().numbers()),
       tangents_(ends.view().numbers()) {
   for (const auto& pool : graph.vertex_pools()) roles_.emplace_back(pool->slots(), WorldRole::kNone);
 }
 
 void SimilarityTest::select(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
-                            std::span<const EdgeSlot> anchors) {
+                            std::span<const EdgeSlot> anchors, std::span<const VertexSlot> left_out) {
   constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   vertices_ = vertices;
   edges_ = edges;
   anchors_ = anchors;
+  own_ = all_own_;
+  for (const VertexSlot v : left_out) {
+    roles_[v.pool][v.slot] = WorldRole::kNone;
+    tangents_[ends_.number(v)] = {};
+    std::erase_if(own_, [&](const OwnDirection& direction) { return direction.vertex == v; });
+  }
   // The first vertex at each position of the edges of the current pool. In edges of run-time size, all
   // positions of vertices of one type count as one position.
   std::vector<std::uint32_t> first_at;
@@ -76,14 +83,12 @@ void SimilarityTest::select(std::span<const VertexSlot> vertices, std::span<cons
 SimilarityFreedom SimilarityTest::find(int dimension, Extent extent) {
   constexpr double kInWorld = 1e-6;
   if (std::ranges::none_of(kinds_, [&](const Kind& kind) { return kind.dimension == dimension; })) return {};
-  choose_roles(dimension);
-  assign_roles(vertices_, dimension);
-  SimilarityFreedom freedom;
-  if (extent == Extent::kAllEdges) {
-    freedom = free_motions(vertices_, edges_, dimension, own_);
-  } else {
-    const std::vector<EdgeSlot> tested = sample(kTestedEdges);
-    freedom = free_motions(moving_ends(tested), tested, dimension, own_);
+  constexpr std::size_t kFewEdges = 8;
+  const int expected = choose_roles(dimension, kFewEdges);
+  SimilarityFreedom freedom = find_with_roles(dimension, extent);
+  if (freedom.directions() < expected) {  // other edges may leave more free with other roles
+    choose_roles(dimension, kTestedEdges);
+    freedom = find_with_roles(dimension, extent);
   }
   if (freedom.motions.own.empty()) return freedom;
   // Motions of vertices without a frame alone are no similarities.
@@ -93,8 +98,16 @@ SimilarityFreedom SimilarityTest::find(int dimension, Extent extent) {
   return freedom;
 }
 
-/// Finds the combination of roles for which a sample of the edges leaves most motions free.
-void SimilarityTest::choose_roles(int dimension) {
+SimilarityFreedom SimilarityTest::find_with_roles(int dimension, Extent extent) {
+  assign_roles(vertices_, dimension);
+  if (extent == Extent::kAllEdges) return free_motions(vertices_, edges_, dimension, own_);
+  const std::vector<EdgeSlot> tested = sample(kTestedEdges);
+  return free_motions(moving_ends(tested), tested, dimension, own_);
+}
+
+/// Finds the combination of roles for which a sample of the edges leaves most motions free. Returns their
+/// number, or 0 if there is nothing to choose.
+int SimilarityTest::choose_roles(int dimension, std::size_t tested_edges) {
   constexpr std::size_t kMostCombinations = 100;
   std::size_t combinations = 1;
   for (Kind& kind : kinds_) {
@@ -102,8 +115,8 @@ void SimilarityTest::choose_roles(int dimension) {
     if (kind.dimension == dimension && combinations <= kMostCombinations)
       combinations *= kind.candidates.size();
   }
-  if (combinations == 1 || combinations > kMostCombinations) return;
-  const std::vector<EdgeSlot> edges = sample(8);
+  if (combinations == 1 || combinations > kMostCombinations) return 0;
+  const std::vector<EdgeSlot> edges = sample(tested_edges);
   const std::vector<VertexSlot> ends = moving_ends(edges);
   std::vector<Kind> best = kinds_;
   int most = -1;
@@ -120,6 +133,7 @@ void SimilarityTest::choose_roles(int dimension) {
     most = std::max(most, directions);
   }
   kinds_ = std::move(best);
+  return most;
 }
 
 void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, int dimension) {
@@ -279,6 +293,10 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
       changes += of_vertex.lazyProduct(tangents.values);
       magnitudes += of_vertex.cwiseAbs().lazyProduct(tangents.norms);
     });
+    const detail::InformationView omega = pool.information(edge.slot, shape.rows);
+    for (int row = 0; row < shape.rows; ++row) {
+      if (!is_structural(omega, row)) changes.row(row).setZero();
+    }
     add_resistance(changes, magnitudes, sum);
   }
   // The directions `own` have units of their own, so their resistance is 1 by definition.

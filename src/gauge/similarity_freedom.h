@@ -45,8 +45,9 @@ struct SimilarityFreedom {
 /// because enabling an edge does not change the structure of the problem.
 ///
 /// All vertices of one kind have the same role. Vertices are of one kind if they have the same type and occur
-/// at the same positions in the same types of edges. The test tries combinations of roles on a sample of the
-/// edges, and uses the combination with the most free motions.
+/// at the same positions in the same types of edges. The test tries combinations of roles on a few edges, and
+/// uses the combination with the most free motions. If other edges resist some of these motions, it tries the
+/// combinations again on a larger sample.
 ///
 /// Vertices that have no frame are shared by many edges, so the test considers their changes only if they
 /// have at most kMostOwn directions in all, and if no edges of other components share them, which would have
@@ -65,9 +66,11 @@ class SimilarityTest {
                  const EdgeEnds& ends, std::span<const std::uint8_t> shared, const StopToken& stop);
 
   /// Selects a component. `anchors` are its edges that tie it to the world. The edges of a pool must be
-  /// contiguous.
+  /// contiguous. The vertices `left_out` also belong to other components, and do not change.
   void select(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
-              std::span<const EdgeSlot> anchors);
+              std::span<const EdgeSlot> anchors, std::span<const VertexSlot> left_out);
+  /// The number of the kind of a vertex of the selected component.
+  std::uint32_t kind(VertexSlot v) { return kind_of_.find(ends_.number(v)); }
   /// The freedom of the component in a world of 2 or 3 dimensions. Takes O(edges).
   SimilarityFreedom find(int dimension, Extent extent);
 
@@ -91,7 +94,8 @@ class SimilarityTest {
   };
 
   void assign_roles(std::span<const VertexSlot> vertices, int dimension);
-  void choose_roles(int dimension);
+  SimilarityFreedom find_with_roles(int dimension, Extent extent);
+  int choose_roles(int dimension, std::size_t tested_edges);
   std::vector<EdgeSlot> sample(std::size_t count) const;
   std::vector<VertexSlot> moving_ends(std::span<const EdgeSlot> edges) const;
   std::vector<OwnDirection> own_directions(const std::vector<std::vector<std::uint8_t>>& movable,
@@ -106,7 +110,8 @@ class SimilarityTest {
   const Graph& graph_;
   const EdgeEnds& ends_;
   const StopToken& stop_;
-  const std::vector<OwnDirection> own_;  // the directions that may change along with the world
+  const std::vector<OwnDirection> all_own_;  // the directions that may change along with the world
+  std::vector<OwnDirection> own_;            // those of the selected component
   std::span<const VertexSlot> vertices_;
   std::span<const EdgeSlot> edges_, anchors_;
   DisjointSets kind_of_;  // by GraphView::number()

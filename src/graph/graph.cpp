@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "graph/incidence.h"
+#include "graph/weighted_rows.h"
 
 namespace boxplus {
 
@@ -255,8 +256,18 @@ detail::InformationView Graph::information(EdgeRef edge) const {
 void Graph::set_information(EdgeRef edge, const Information& information) {
   check(edge);
   detail::EdgePool& pool = *pools_.edges[edge.pool];
-  pool.information_.set(edge.slot, information, pool.shape(edge.slot).rows);
+  const int rows = pool.shape(edge.slot).rows;
+  const auto structure = [&] {
+    std::vector<bool> row_is_structural;
+    const detail::InformationView omega = pool.information(edge.slot, rows);
+    if (structural_rows(omega) == rows) return row_is_structural;
+    for (int i = 0; i < rows; ++i) row_is_structural.push_back(is_structural(omega, i));
+    return row_is_structural;
+  };
+  const std::vector<bool> before = structure();
+  pool.information_.set(edge.slot, information, rows);
   note_change(edge);
+  if (structure() != before) note_new_structure();  // the gauge freedom depends on it
 }
 
 void Graph::set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "algorithm/levenberg_marquardt.h"
-#include "optimize/edge_counts.h"
 #include "optimize/flat_directions.h"
 #include "optimize/significance.h"
 #include "system/whole_vector.h"
@@ -74,16 +73,15 @@ std::optional<Report::Reason> convergence(const Options& options, const Iteratio
 }  // namespace
 
 Descent::Descent(Graph& graph, RunSystem& system, Algorithm& algorithm, const Options& options, RunStop& stop,
-                 const Stopwatch& clock, std::vector<IterationRecord>& records)
+                 const Stopwatch& clock, Report& report)
     : graph_(graph),
       system_(system),
       algorithm_(&algorithm),
       options_(options),
       stop_(stop),
       clock_(clock),
-      records_(records),
-      degrees_of_freedom_(
-          system.sum(static_cast<double>(count_edges(graph, system.plan()).rows) - system.unknowns())) {}
+      records_(report.records),
+      degrees_of_freedom_(static_cast<double>(report.degrees_of_freedom)) {}
 
 RunResult Descent::run(double chi2) {
   return run_while([](const IterationRecord&) { return true; }, chi2);

@@ -38,9 +38,10 @@ inline constexpr double kExact = 1e-20;
 /// Runs an algorithm once or several times. The limits on iterations and time apply to all runs together.
 class Descent {
  public:
-  /// All arguments must outlive the descent. Runs append to `records`.
+  /// All arguments must outlive the descent. Runs append to Report::records. `report` has the degrees of
+  /// freedom (describe_problem()).
   Descent(Graph& graph, RunSystem& system, Algorithm& algorithm, const Options& options, RunStop& stop,
-          const Stopwatch& clock, std::vector<IterationRecord>& records);
+          const Stopwatch& clock, Report& report);
 
   /// The following runs use this algorithm.
   void use(Algorithm& algorithm) { algorithm_ = &algorithm; }

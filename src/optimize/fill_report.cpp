@@ -10,7 +10,6 @@
 #include "base/vector_math.h"
 #include "linearize/non_finite.h"
 #include "linearize/stiff_edge.h"
-#include "optimize/edge_counts.h"
 #include "optimize/rejection.h"
 #include "system/planned_system.h"
 
@@ -36,13 +35,6 @@ void reset(Report& report) {
   report.jacobians = std::move(jacobians);
   report.gauge = std::move(gauge);
   report.message = std::move(message);
-}
-
-/// The rows minus the scalars that are not gauge freedom. Needs the final gauge.
-std::int64_t degrees_of_freedom(const Report& report) {
-  std::int64_t determined = std::int64_t{report.scalars} - report.gauge.held_directions;
-  for (const detail::GaugeFreedom& freedom : report.gauge.free) determined -= freedom.directions;
-  return static_cast<std::int64_t>(report.rows) - determined;
 }
 
 std::string vertex_text(const Graph& graph, VertexRef vertex) {
@@ -90,7 +82,8 @@ void begin_report(Report& report, const Options& options) {
   report.message.reserve(kMessage);
 }
 
-void describe_problem(Report& report, const Graph& graph, const RunSystem& system, const Options& options) {
+void describe_problem(Report& report, const Graph& graph, RunSystem& system, const Options& options,
+                      EdgeCounter& counter) {
   const Plan& plan = system.plan();
   const RunSystem::Facts facts = system.facts();
   report.linear_solver = facts.solver;
@@ -98,8 +91,10 @@ void describe_problem(Report& report, const Graph& graph, const RunSystem& syste
   report.scalars = plan.free_scalars();
   report.eliminated = plan.eliminated_blocks;
   report.edges = plan.edge_count;
-  const EdgeCounts counts = count_edges(graph, plan);
+  const EdgeCounts counts = counter.count(graph, plan);
   report.rows = counts.rows;
+  report.degrees_of_freedom =
+      static_cast<std::int64_t>(counts.rows + counter.undetermined(graph, system)) - system.unknowns();
   report.disabled_edges = counts.disabled;
   report.robust_edges = counts.robust;
   report.linear = facts.statistics;
@@ -127,7 +122,9 @@ void finish_report(Report& report, const Graph& graph, RunSystem& system, RunRes
   report.linear = system.facts().statistics;
   report.gauge.held_directions = system.held_directions();
   if (!system.gauge_is_free()) report.gauge.free.clear();
-  report.degrees_of_freedom = degrees_of_freedom(report);
+  report.degrees_of_freedom += report.gauge.held_directions;
+  for (const detail::GaugeFreedom& freedom : report.gauge.free)
+    report.degrees_of_freedom += freedom.directions;
   report.message.assign(to_string(result.reason));
   add_culprit(report.message, result.reason, graph, system, report);
   if (std::isnan(report.chi2_initial) && is_interruption(result.reason))

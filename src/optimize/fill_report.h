@@ -4,6 +4,7 @@
 
 #include "boxplus/optimize/report.h"
 #include "optimize/descent.h"
+#include "optimize/edge_counts.h"
 #include "system/run_system.h"
 
 namespace boxplus {
@@ -12,8 +13,9 @@ namespace boxplus {
 void begin_report(Report& report, const Options& options);
 
 /// Fills everything that is known when the plan has been made: sizes, solvers, threads, gauge, and sources of
-/// Jacobians.
-void describe_problem(Report& report, const Graph& graph, const RunSystem& system, const Options& options);
+/// Jacobians. Report::degrees_of_freedom does not count the gauge freedom yet. `counter` lends its memory.
+void describe_problem(Report& report, const Graph& graph, RunSystem& system, const Options& options,
+                      EdgeCounter& counter);
 
 /// Fills the result of the run and the message for people. Evaluates chi2 at the final estimates.
 void finish_report(Report& report, const Graph& graph, RunSystem& system, RunResult result);

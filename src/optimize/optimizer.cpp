@@ -81,6 +81,7 @@ struct Optimizer::Impl {
   PlannedSystem planned;
   CovarianceSystem covariances;  // may use the plan of `planned`
   StartMemory memory;
+  EdgeCounter counter;
   std::map<AlgorithmKind, std::unique_ptr<Algorithm>> algorithms;
 };
 
@@ -143,7 +144,7 @@ RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, 
   planned.system().configure(options, report.time, stop.now());
   Algorithm& algorithm = custom != nullptr ? *custom : chosen_algorithm();
   report.algorithm = algorithm.name();
-  describe_problem(report, *graph, planned.system(), options);
+  describe_problem(report, *graph, planned.system(), options, counter);
   report.chi2_initial = report.start.chi2_current = planned.system().chi2();
   Constraints constraints(*graph, planned.system().plan());
   if (constraints.empty()) return minimize(algorithm, options, report, stop, clock);
@@ -180,7 +181,7 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, const Options& of_run,
     return {Report::Status::kConverged, Report::Reason::kNothingToOptimize, chi2, 0};
   if (options.gauge == GaugePolicy::kError && system.is_free())
     return {Report::Status::kFailed, Report::Reason::kGaugeFreedom, chi2, 0};
-  Descent descent(*graph, system, algorithm, of_run, stop, clock, report.records);
+  Descent descent(*graph, system, algorithm, of_run, stop, clock, report);
   const bool may_be_stiff = information_is_stiff(*graph, system.plan());
   if (may_be_stiff) descent.leave(iterations_to_finish(options));
   RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);

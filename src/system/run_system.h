@@ -31,6 +31,10 @@ class RunSystem : public System {
   /// The number of unknowns of this process. If several processes share the problem, each unknown belongs to
   /// one of them.
   virtual std::uint32_t unknowns() const { return plan().free_scalars(); }
+  /// If several processes share the problem, replaces the entries of a vertex that several have by their sums
+  /// in the process that owns the vertex, and by `elsewhere` in the others. `of_plan` has an entry for each
+  /// scalar. All processes call this together.
+  virtual void add_up(std::span<double> /*of_plan*/, double /*elsewhere*/) {}
   virtual const LinearizeOptions& linearize_options() const = 0;
   /// Computations end soon when the token is raised.
   virtual void set_stop(const StopToken& stop) = 0;

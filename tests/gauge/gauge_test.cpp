@@ -336,6 +336,100 @@ TEST(Gauge, OfManyKindsOfPosesIsFoundWithoutTryingAllCombinationsOfRoles) {
   EXPECT_LT(evaluations, 10000);
 }
 
+TEST(Gauge, OfMapsThatShareAnUnknownSensorPoseIsThatOfEachMap) {
+  Graph graph;
+  const auto sensor = graph.add_vertex(SE2(0.2, 0.1, 0.3), 1000);
+  for (const int first : {0, 100}) {
+    std::vector<VertexHandle<SE2>> poses;
+    for (int k = 0; k < 10; ++k) poses.push_back(graph.add_vertex(pose(k), first + k));
+    for (std::size_t k = 1; k < poses.size(); ++k) {
+      graph.add_edge([](const auto& a, const auto& b,
+                        const auto& s) { return (a * s).inverse_times(b * s).vector().eval(); },
+                     poses[k - 1], poses[k], sensor);
+    }
+  }
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(held_ids(gauge), ElementsAre(0, 100));
+  ASSERT_THAT(gauge.components, SizeIs(2));
+  EXPECT_EQ(gauge.components[0].vertices.size() + gauge.components[1].vertices.size(), 21u);
+  // If one of the maps is anchored, the other one is still free.
+  graph.fix(*graph.find_vertex(3));
+  EXPECT_THAT(held_ids(gauge_of(graph)), ElementsAre(100));
+}
+
+TEST(Gauge, OfScenesThatShareAnUnknownFocalLengthIsThatOfEachScene) {
+  Graph graph;
+  const auto focal = graph.add_vertex(1.5, 1000);
+  for (const int first : {0, 100}) {
+    std::vector<VertexHandle<SE2>> cameras;
+    for (int k = 0; k < 5; ++k) cameras.push_back(graph.add_vertex(pose(k), first + k));
+    for (int k = 0; k < 9; ++k) {
+      const auto point =
+          graph.add_vertex(Vector2(20 + 3 * std::sin(2 * k), 30 + std::cos(3 * k)), first + 50 + k);
+      for (const auto& camera : cameras) {
+        graph.add_edge(
+            [](const auto& p, const auto& l, const auto& f) {
+              const auto y = p.inverse_times(l).eval();
+              return f * y[0] / y[1];
+            },
+            camera, point, focal);
+      }
+    }
+  }
+  const Gauge gauge = gauge_of(graph);
+  EXPECT_THAT(held_ids(gauge), ElementsAre(0, 100));
+  EXPECT_THAT(names_of(gauge), ElementsAre("scale", "scale"));
+  EXPECT_THAT(gauge.held_directions, SizeIs(2));
+}
+
+/// The motions of poses in space are measured, and their distances from four points, of which two are fixed.
+TEST(Gauge, IsARotationIfDistancesFromTwoFixedPointsAreMeasured) {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  const auto pose_in_space = [](int k) {
+    return SE3(Vector3(std::cos(2 * k), std::sin(3 * k), 0.3 * k),
+               SO3::from_rotation_vector(Vector3(0.1 * k, -0.2, 0.3 * std::sin(k))));
+  };
+  for (int k = 0; k < 8; ++k) poses.push_back(graph.add_vertex(pose_in_space(k)));
+  for (const std::size_t step : {1u, 3u}) {
+    for (std::size_t k = step; k < poses.size(); ++k)
+      graph.add_edge(Between(SE3()), poses[k - step], poses[k]);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const auto point = graph.add_vertex(Vector3(3 * std::sin(i + 1), 2 * std::cos(2 * i), i - 1.5));
+    if (i < 2) graph.fix(point);
+    for (const auto& pose : poses) graph.add_edge(Range(1), pose, point);
+  }
+  EXPECT_THAT(names_of(gauge_of(graph)), ElementsAre("rotation"));
+}
+
+TEST(Gauge, DoesNotCountRowsWhoseInformationIsZero) {
+  Graph graph;
+  const auto a = graph.add_vertex(SE2(0, 0, 0.1)), b = graph.add_vertex(SE2(1, 0, 0));
+  graph.add_edge(Between(SE2(1, 0, 0)), a, b);
+  const Vector3 heading(0, 0, 1);
+  const EdgeRef compass =
+      graph.add_edge(Prior(SE2(5, 5, 0)), Information(Eigen::Matrix3d(heading.asDiagonal())), a);
+  EXPECT_THAT(names_of(gauge_of(graph)), ElementsAre("translation"));
+  Optimizer optimizer(graph, {.algorithm = AlgorithmKind::kGaussNewton});
+  Report report = optimizer.run();
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.regularized_steps, 0);
+  EXPECT_EQ(report.rows, 4u);
+  EXPECT_EQ(report.degrees_of_freedom, 0);
+  EXPECT_NEAR(graph.estimate(a).x(), 0, 1e-3);
+  // The same optimizer notices when these rows count.
+  graph.set_information(compass, 1.0);
+  report = optimizer.run();
+  EXPECT_FALSE(report.plan_reused);
+  EXPECT_EQ(report.rows, 6u);
+  EXPECT_EQ(report.degrees_of_freedom, 0);
+  EXPECT_NEAR(graph.estimate(a).x(), 5, 1e-9);
+  // An edge without any information keeps its place, as a disabled one does.
+  graph.set_information(compass, 0.0);
+  EXPECT_TRUE(optimizer.run().plan_reused);
+}
+
 /// Cameras see points with intrinsics f of a unit u: the error is f₀ u p⁻¹ l. One camera is fixed.
 template <class Handle>
 void add_cameras(Graph& graph, Handle f, double unit) {

@@ -18,7 +18,7 @@ TEST(EdgeCounts, CountRowsAndKernelsOfEnabledActiveEdges) {
   graph.set_kernel(edges[0], Huber(1.0));
   graph.set_kernel(edges[1], Huber(1.0));
   graph.set_level(edges[2], 1);
-  const EdgeCounts counts = count_edges(graph, make_plan(graph, {}));
+  const EdgeCounts counts = EdgeCounter().count(graph, make_plan(graph, {}));
   EXPECT_EQ(counts.rows, 3 * 3 + 4u);
   EXPECT_EQ(counts.disabled, 1u);
   EXPECT_EQ(counts.robust, 1u);

@@ -112,6 +112,36 @@ TEST(DegreesOfFreedom, DoNotCountFixedVerticesFixedDirectionsAndDisabledEdges) {
   EXPECT_EQ(report.degrees_of_freedom, 57 - 55);
 }
 
+/// Points that poses see. The last `once` points are seen by one pose only, in a single row.
+Graph graph_with_points_seen_once(int once, GaugePolicy gauge) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 10);
+  if (gauge == GaugePolicy::kError) graph.fix(poses[0]);
+  const auto bearing = [](const SE2& pose, const Vector2& point) {
+    const Vector2 y = pose.inverse_times(point);
+    return std::atan2(y[1], y[0]);
+  };
+  for (int k = 0; k < 5 + once; ++k) {
+    const Vector2 place(3 * std::sin(2 * k), 4 * std::cos(3 * k));
+    const auto point = graph.add_vertex(place);
+    graph.set_eliminated(point, true);
+    for (std::size_t i = 0; i < (k < 5 ? poses.size() : 1); ++i)
+      graph.add_edge(BearingObservation2(bearing(graph.estimate(poses[i]), place)), poses[i], point);
+  }
+  return graph;
+}
+
+TEST(DegreesOfFreedom, DoNotCountUnknownsOfAVertexBeyondTheRowsOfItsEdges) {
+  for (const GaugePolicy gauge : {GaugePolicy::kFixFirst, GaugePolicy::kDamp, GaugePolicy::kError}) {
+    for (const int once : {0, 1, 30}) {
+      Graph graph = graph_with_points_seen_once(once, gauge);
+      const Report report = optimize(graph, {.gauge = gauge});
+      EXPECT_EQ(report.rows, static_cast<std::uint64_t>(30 + 50 + once));
+      EXPECT_EQ(report.degrees_of_freedom, 30 + 50 - 27 - 10) << once << "\n" << report;
+    }
+  }
+}
+
 TEST(DegreesOfFreedom, CountAFreeScaleAsUndetermined) {
   Graph graph;
   std::vector<VertexHandle<Vector2>> points;

@@ -36,9 +36,10 @@ Report run_dense(Graph& graph, const Options& options) {
   begin_report(report, options);
   const auto algorithm = make_algorithm(options.algorithm);
   report.algorithm = algorithm->name();
-  describe_problem(report, graph, system, options);
+  EdgeCounter counter;
+  describe_problem(report, graph, system, options, counter);
   report.chi2_initial = report.start.chi2_current = system.chi2();
-  Descent descent(graph, system, *algorithm, options, stop, clock, report.records);
+  Descent descent(graph, system, *algorithm, options, stop, clock, report);
   StartMemory memory;
   const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
   report.iterations = static_cast<int>(report.records.size());

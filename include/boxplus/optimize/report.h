@@ -146,10 +146,12 @@ struct [[nodiscard]] Report {
   /// The unknowns: the tangent directions of the vertices that move, without fixed directions
   /// (Graph::fix_directions()).
   std::uint32_t scalars = 0;
-  std::uint64_t rows = 0;  ///< the rows of the errors of the enabled active edges
+  /// The rows of the errors of the enabled active edges, without rows whose row of Ω is zero.
+  std::uint64_t rows = 0;
   /// The rows minus the unknowns that the edges determine. These are the scalars without the directions of
-  /// gauge freedom, which are counted by gauge.free and gauge.held_directions. Negative if there are fewer
-  /// rows than unknowns.
+  /// gauge freedom, which are counted by gauge.free and gauge.held_directions, and without those of a vertex
+  /// beyond the rows of its edges, such as one of three if a single camera sees a point. Negative if there
+  /// are fewer rows than unknowns that they seem to determine.
   std::int64_t degrees_of_freedom = 0;
   std::vector<EdgeJacobians> jacobians;  ///< the source for each edge type that takes part
   LinearStatistics linear;

@@ -131,12 +131,13 @@ void DistributedOptimizer::Impl::run(DistributedReport& report, const Guess& gue
                            : AlgorithmKind::kDogleg;
   const std::unique_ptr<Algorithm> algorithm = make_algorithm(of_run.algorithm);
   report.algorithm = algorithm->name();
-  describe_problem(report, *graph, *system, of_run);
+  EdgeCounter counter;
+  describe_problem(report, *graph, *system, of_run, counter);
   add_up(report, *system);
   report.chi2_initial = report.start.chi2_current = system->chi2();
   RunResult result{Report::Status::kConverged, Report::Reason::kNothingToOptimize, report.chi2_initial, 0};
   if (report.scalars > 0) {
-    Descent descent(*graph, *system, *algorithm, of_run, stop, clock, report.records);
+    Descent descent(*graph, *system, *algorithm, of_run, stop, clock, report);
     StartMemory memory;
     result = minimize_from_starts(descent, report.start, report.time.start_s, memory,
                                   [&](Start start, const GuessLimits&) -> GuessResult {
@@ -174,6 +175,7 @@ void DistributedOptimizer::Impl::add_up(DistributedReport& report, const Distrib
   total(report.scalars);
   total(report.edges);
   total(report.rows);
+  total(report.degrees_of_freedom);
   total(report.disabled_edges);
   total(report.robust_edges);
   report.gauge.free.clear();  // what the edges of a part leave free, others may determine
@@ -206,7 +208,6 @@ void DistributedOptimizer::Impl::finish(DistributedReport& report, DistributedSy
     report.reason = static_cast<Report::Reason>(static_cast<int>(communicator.max(reason)));
   }
   report.linear = system.facts().statistics;
-  report.degrees_of_freedom = static_cast<std::int64_t>(report.rows) - std::int64_t{report.scalars};
   report.message = std::string(to_string(report.reason)) + culprit(report.reason, system, report.chi2_final);
 }
 

@@ -78,6 +78,15 @@ void DistributedSystem::add_other_processes() {
   });
 }
 
+void DistributedSystem::add_up(std::span<double> of_plan, double elsewhere) {
+  const std::span<double> sums = std::span(shared_).first(kept_.scalars());
+  std::ranges::fill(sums, 0.0);
+  kept_.for_each_scalar([&](std::uint32_t i, std::uint32_t all, bool) { sums[all] = of_plan[i]; });
+  communicator_->add_up(sums);
+  kept_.for_each_scalar(
+      [&](std::uint32_t i, std::uint32_t all, bool own) { of_plan[i] = own ? sums[all] : elsewhere; });
+}
+
 bool DistributedSystem::linearize() {
   trial_.order().expect_no_trial("System::linearize");
   trial_.order().forget();  // until this function ends without an exception

@@ -44,6 +44,7 @@ class DistributedSystem final : public RunSystem {
   Facts facts() const override;
   const Plan& plan() const override { return model_.plan; }
   std::uint32_t unknowns() const override { return kept_.own_unknowns(); }
+  void add_up(std::span<double> of_plan, double elsewhere) override;
   const LinearizeOptions& linearize_options() const override { return model_.options; }
   void set_stop(const StopToken& /*stop*/) override {}
   void forget_scale() override { model_.diagonal.begin_run(); }

@@ -55,6 +55,23 @@ class MpiCommandTest(CommandCase):
         for arguments in (("--hold", "intrinsics"), ("--hold", "points"), ("--fix", "0,3"), ("--pixel-sigma", 2)):
             self.assert_same_optimum(street, *arguments, numbers=(3,))
 
+    def test_counts_points_that_one_camera_sees_as_one_process_does(self):
+        street = self.simulated("street.bal", "ba", "--shape", "street", "--cameras", 20, "--points", 300)
+        header, *lines = street.read_text(encoding="utf-8").splitlines()
+        cameras, points, count = map(int, header.split())
+        seen, kept = set(), []
+        for line in lines[:count]:
+            point = int(line.split()[1])
+            if point % 3 != 0 or point not in seen:  # every third point only once
+                kept.append(line)
+            seen.add(point)
+        once = self.path / "once.bal"
+        once.write_text("\n".join([f"{cameras} {points} {len(kept)}", *kept, *lines[count:]]) + "\n", encoding="utf-8")
+        determined = 9 * cameras - 7 + 3 * points - len({point for point in seen if point % 3 == 0})
+        self.assert_same_optimum(once)
+        report = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual(report["degrees_of_freedom"], report["rows"] - determined)
+
     def test_reaches_the_optimum_of_one_process_on_a_model_of_colmap(self):
         (self.path / "model").mkdir()
         model = self.simulated("model", "ba", "--shape", "street", "--cameras", 40, "--points", 1000)
