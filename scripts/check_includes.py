@@ -86,6 +86,7 @@ CIRCLES = {
 SEARCHED = ("include", "src", "g2o/include", "g2o/src", "plugins/mpi/include", "plugins/mpi/src", "plugins/petsc/include",
             "plugins/petsc/src", "apps/boxplus", "apps/boxplus_mpi", "apps/g2o_programs")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
+FUZZED = re.compile(r"/src/\(([a-z|]+)\)/")  # in fuzz/CMakeLists.txt, which names the files of kernels one by one
 BEFORE_UNIT = re.compile(r"(?:include/boxplus|src|(g2o/)(?:include/g2o|src))/")
 
 # An include of a file of the project. `file` and `target` are relative to the root, and `name` is as it is written.
@@ -203,11 +204,25 @@ def differences(circles, allowed):
         yield f"scripts/check_includes.py:1: the table CIRCLES has a circle that does not exist: {name}"
 
 
+def missing_in_fuzz_targets(root, texts, includes):
+    """Private headers that the sources of the fuzz targets include, although these lack the folder of their source."""
+    file = root / "fuzz" / "CMakeLists.txt"
+    if not file.exists():
+        return
+    compiled = FUZZED.search(file.read_text(encoding="utf-8"))[1].split("|")
+    for file, line, name, target in includes:
+        has_source = target.startswith("src/") and target.removesuffix(".h") + ".cpp" in texts
+        if file.startswith("src/") and row_of(file) in compiled and has_source and \
+                row_of(target) not in (*compiled, "kernels"):
+            yield f"{file}:{line}: fuzz/CMakeLists.txt lacks the folder {row_of(target)} ({name})"
+
+
 def problems(root, allowed_circles):
     """All that the script reports about the files below `root`."""
     texts = read_sources(root)
     includes = list(includes_of(texts))
-    return [*violations(texts, includes), *sorted(differences(circles_of(includes), allowed_circles))]
+    return [*violations(texts, includes), *missing_in_fuzz_targets(root, texts, includes),
+            *sorted(differences(circles_of(includes), allowed_circles))]
 
 
 def main():

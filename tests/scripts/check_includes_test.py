@@ -53,6 +53,17 @@ class CheckIncludes(unittest.TestCase):
             {"include/boxplus/base/error.h": '#include <string>\n#include "boxplus/graph/graph.h"\n'},
             "include/boxplus/base/error.h:2: base must not include graph (boxplus/graph/graph.h)")
 
+    def test_a_folder_that_the_fuzz_targets_lack_is_reported(self):
+        changes = {"fuzz/CMakeLists.txt": 'INCLUDE REGEX "/src/(graph|io)/|/src/kernels/x")\n',
+                   "src/platform/files.h": "", "src/platform/files.cpp": "",
+                   "src/kernels/add.h": "",
+                   "src/base/file.cpp": '#include "platform/files.h"\n',
+                   "src/io/file.cpp": '#include "kernels/add.h"\n#include "platform/files.h"\n'}
+        line = "src/io/file.cpp:2: fuzz/CMakeLists.txt lacks the folder platform (platform/files.h)"
+        self.assertIn(line, check(changes))
+        changes["fuzz/CMakeLists.txt"] = 'INCLUDE REGEX "/src/(graph|io|platform)/")\n'
+        self.assertNotIn(line, check(changes))
+
     def test_linear_must_not_include_graph(self):
         self.assert_reported(
             {"src/linear/solver.cpp": "#include <boxplus/graph/graph.h>\n"},
