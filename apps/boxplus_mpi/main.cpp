@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The `boxplus-mpi` command: `boxplus optimize` in several processes, which mpirun starts.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
@@ -42,8 +46,26 @@ int parse_and_run(int argc, char** argv, mpi::Communicator& communicator) {
   return communicator.any(is_help) ? static_cast<int>(kSuccess) : action();
 }
 
-/// Only the first process prints: the others fail with the same messages.
+int stderr_of_process = STDERR_FILENO;
+
+/// Ends all processes after an error of MPI, or one that only this process has. It may have no memory.
+void end_all(MPI_Comm*, int* error, ...) {
+  char reason[MPI_MAX_ERROR_STRING] = "", text[MPI_MAX_ERROR_STRING + 100] = "";
+  int length = 0, rank = 0;
+  (void)MPI_Error_string(*error, reason, &length);
+  (void)MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  length = std::snprintf(text, sizeof text, "boxplus: process %d cannot go on: %s\n", rank, reason);
+  if (length > 0) (void)!write(stderr_of_process, text, static_cast<std::size_t>(length));
+  (void)MPI_Abort(MPI_COMM_WORLD, kNumericalFailure);
+  std::_Exit(kNumericalFailure);  // mpirun then ends the others
+}
+
+/// Only the first process prints what all processes agree on.
 int run(int argc, char** argv) {
+  MPI_Errhandler ends_all = MPI_ERRHANDLER_NULL;
+  MPI_Comm_create_errhandler(end_all, &ends_all);
+  MPI_Comm_set_errhandler(MPI_COMM_WORLD, ends_all);
+  stderr_of_process = dup(STDERR_FILENO);
   mpi::Communicator communicator(MPI_COMM_WORLD);
   if (!communicator.is_first()) {
     for (std::FILE* stream : {stdout, stderr}) {

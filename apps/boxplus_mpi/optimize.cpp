@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -91,10 +92,17 @@ std::string distributed_json(const Distribution& distribution, const RunFacts& f
 }
 
 /// A solver of PETSc that divides the system of the kept vertices among the processes.
-std::shared_ptr<LinearSolver> load_divided_solver(const std::string& options) {
+std::shared_ptr<LinearSolver> load_divided_solver(const std::string& options,
+                                                  mpi::Communicator& communicator) {
   void* const make = find_in_petsc_plugin("boxplus_divided_petsc_solver");
-  return std::shared_ptr<LinearSolver>(
-      reinterpret_cast<LinearSolver* (*)(MPI_Comm, const char*)>(make)(MPI_COMM_WORLD, options.c_str()));
+  (void)communicator.any(false);  // PETSc starts in all processes, unless one has failed
+  try {
+    return std::shared_ptr<LinearSolver>(
+        reinterpret_cast<LinearSolver* (*)(MPI_Comm, const char*)>(make)(MPI_COMM_WORLD, options.c_str()));
+  } catch (const std::bad_alloc&) {
+    communicator.end_all(MPI_ERR_NO_MEM);  // the others wait for this process in PETSc
+    throw;
+  }
 }
 
 /// Whether the extension of an output, or the lack of one, selects BAL for a graph that was read from BAL.
@@ -183,10 +191,8 @@ class DistributedRun {
     Graph& graph = file_->graph;
     fixed_.emplace(graph, arguments_);
     options_ = arguments_.options;
-    if (arguments_.petsc) {
-      (void)communicator_.any(false);  // PETSc starts in all processes, unless one has failed
-      options_.custom_linear_solver = load_divided_solver(*arguments_.petsc);
-    }
+    if (arguments_.petsc)
+      options_.custom_linear_solver = load_divided_solver(*arguments_.petsc, communicator_);
     options_.vertices = find_vertices(graph, arguments_.moving, "--only-vertices");
     PlanRequest request{.level = options_.level, .vertices = options_.vertices, .gauge = options_.gauge};
     const Gauge gauge = find_active_set(graph, request).gauge;

@@ -31,7 +31,8 @@ struct Component : GaugeComponent {
   bool only_rigid = true;         // whether all edges are of types that measure poses relative to each other
   bool bounded = false;           // whether an entry of a vertex has bounds
   // The vertices that its edges share with other components, such as the calibration of a sensor that made
-  // several maps. They do not move with the world.
+  // several maps. They do not move with the world. Only directions of such a component are held, so that
+  // every step checks them, because edges may resist at other values of these vertices.
   std::vector<VertexSlot> left_out;
   std::vector<VertexSlot> shared;  // those of `left_out` that are listed with this component
 };
@@ -201,21 +202,38 @@ class GaugeFinder {
     }
     std::vector<Component> best;
     best.push_back(std::move(whole));
-    int most = choices.empty() ? 0 : free_motions(best);
+    bool moves_rigidly = false;
+    int most = choices.empty() ? 0 : free_motions(best.front(), moves_rigidly);
     for (std::vector<Component>& parts : choices) {
-      const int motions = free_motions(parts);
+      const int motions = free_motions_of_parts(parts);
       if (motions > most) best = std::move(parts);
       most = std::max(most, motions);
     }
     return best;
   }
 
-  int free_motions(std::span<const Component> components) {
+  /// The number of motions that are free in a component in all dimensions of the world. `moves_rigidly` gets
+  /// whether all rigid motions of a world are.
+  int free_motions(const Component& component, bool& moves_rigidly) {
     int motions = 0;
-    for (const Component& component : components) {
-      select(component);
-      for (const int dimension : {2, 3})
-        motions += test_->find(dimension, SimilarityTest::Extent::kAllEdges).directions();
+    moves_rigidly = false;
+    select(component);
+    for (const int dimension : {2, 3}) {
+      const int free = test_->find(dimension, SimilarityTest::Extent::kAllEdges).directions();
+      moves_rigidly = moves_rigidly || free >= all_rigid_motions(dimension).count;
+      motions += free;
+    }
+    return motions;
+  }
+
+  /// The same for parts of a component; 0 if not all rigid motions are free in one without an anchor. Then
+  /// the vertices that the parts share are in the world, such as beacons.
+  int free_motions_of_parts(std::span<const Component> parts) {
+    int motions = 0;
+    for (const Component& part : parts) {
+      bool moves_rigidly = false;
+      motions += free_motions(part, moves_rigidly);
+      if (!part.anchored && !moves_rigidly) return 0;
     }
     return motions;
   }
@@ -276,14 +294,13 @@ class GaugeFinder {
     }
     const auto is_single = [](const Component& part) { return part.vertices.size() == 1; };
     if (parts.size() == 1 || std::ranges::any_of(parts, is_single)) return {};
+    if (parts.size() * left_out.size() > whole.vertices.size()) return {};  // would take long
     for (const EdgeSlot edge : whole.edges) {
-      std::uint32_t root = kNone;
+      std::uint32_t vertex = kNone;
       int moving = 0;
-      for_each_moving(edge, [&](std::uint32_t vertex) {
-        root = sets.find(vertex);
-        ++moving;
-      });
-      if (moving > 0) add_edge(edge, moving, parts[part_of[root]]);
+      for_each_moving(edge, [&](std::uint32_t v) { vertex = v; });
+      ends_.for_each_moving(edge, [&](VertexSlot, std::size_t) { ++moving; });
+      if (vertex != kNone) add_edge(edge, moving, parts[part_of[sets.find(vertex)]]);
     }
     for (Component& part : parts) part.left_out = left_out;
     if (!parts.empty()) parts.front().shared = left_out;
@@ -347,7 +364,7 @@ class GaugeFinder {
   }
 
   bool holds_whole(const Component& component, VertexSlot first, const SimilarityFreedom& freedom) const {
-    return !component.anchored && is_all_gauge(first, freedom);
+    return component.left_out.empty() && !component.anchored && is_all_gauge(first, freedom);
   }
 
   /// Handles a component that has only relative poses. All directions of its first pose are gauge freedom.

@@ -36,6 +36,10 @@ class Communicator {
   /// as the process with the lowest rank did, and with its message.
   void together(detail::FunctionRef<void()> f);
 
+  /// Calls MPI's error handler, which ends all processes, unless the program has replaced it. For errors in
+  /// one process while others wait for it elsewhere than in this class. Not collective.
+  void end_all(int error) const;
+
   double sum(double here);
   double max(double here);
   bool any(bool here) { return max(here ? 1 : 0) > 0; }

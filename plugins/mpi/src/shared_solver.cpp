@@ -2,6 +2,7 @@
 #include "shared_solver.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 
 #include "boxplus/base/error.h"
@@ -31,6 +32,18 @@ void SharedSolver::find_places() {
     const auto found = std::ranges::lower_bound(vertices_, vertex.vertex) - vertices_.begin();
     places_.push_back(is_divided() ? Place{static_cast<std::uint32_t>(found), first[found]}
                                    : Place{vertex.vertex, vertex.all_first});
+  }
+}
+
+/// Calls f, which calls the inner solver. If this solver divides the system, and memory runs out in a
+/// process, the others wait for it in the solver.
+template <class F>
+auto SharedSolver::call_inner(F&& f) {
+  try {
+    return f();
+  } catch (const std::bad_alloc&) {
+    if (is_divided()) communicator_->end_all(MPI_ERR_NO_MEM);
+    throw;
   }
 }
 
@@ -103,7 +116,10 @@ void SharedSolver::analyze(const BlockStructure& structure, const AnalyzeHints& 
                       static_cast<std::uint16_t>(c.dim), static_cast<std::uint16_t>(stride), transposed});
   });
   const DividedSystem divided{kept_->dims(), vertices_};
-  inner_->analyze(structure_, {.threads = threads_, .divided = is_divided() ? &divided : nullptr}, stop);
+  (void)communicator_->any(false);  // the inner solver begins in all processes, unless one has failed
+  call_inner([&] {
+    inner_->analyze(structure_, {.threads = threads_, .divided = is_divided() ? &divided : nullptr}, stop);
+  });
 }
 
 /// Whether all processes go on. Collective.
@@ -147,7 +163,9 @@ FactorResult SharedSolver::factorize(const BlockSystem& system, const Damping& d
   const AssembledSystem sum(structure_, {values_.data(), structure_.nonzero_values()});
   SolveControl own_control = control;
   own_control.right_hand_side = nullptr;
-  const FactorResult result = inner_->factorize(sum, {1.0, diagonal}, own_control);
+  const FactorResult result = call_inner([&] {
+    return inner_->factorize(sum, {1.0, diagonal}, own_control);
+  });
   if (!agree(result.status)) {
     find_failed_vertex(result.failed_block);
     return {worst_};
@@ -165,7 +183,8 @@ SolveResult SharedSolver::solve(const double* b, int columns, double* x, const S
     std::ranges::fill(vector_, 0.0);
     for_each_scalar([&](std::uint32_t i, std::uint32_t inner, bool) { vector_[inner] = b[i]; });
     if (!is_divided()) communicator_->add_up(vector_);
-    const SolveResult result = inner_->solve(vector_.data(), 1, vector_.data(), control);
+    const SolveResult result =
+        call_inner([&] { return inner_->solve(vector_.data(), 1, vector_.data(), control); });
     for_each_scalar([&](std::uint32_t i, std::uint32_t inner, bool) { x[i] = vector_[inner]; });
     total.status = std::max(total.status, result.status);
     total.iterations += result.iterations;

@@ -72,6 +72,8 @@ class SharedSolver final : public LinearSolver {
   void find_failed_vertex(std::uint32_t failed_block);
   void add_parts(std::span<const double> values);
   template <class F>
+  auto call_inner(F&& f);
+  template <class F>
   void for_each_scalar(F&& f) const;
 
   std::shared_ptr<LinearSolver> inner_;

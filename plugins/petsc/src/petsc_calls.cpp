@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <cstdlib>
+#include <new>
 #include <sstream>
 #include <string_view>
 
@@ -59,7 +60,12 @@ void initialize() {
   PETSC_MPI_THREAD_REQUIRED = MPI_THREAD_SERIALIZED;  // a mutex lets one thread at a time call PETSc
   const WithoutDaemon isolated;
   (void)PetscPushErrorHandler(keep_silent, nullptr);
+  int mpi_runs = 0;
+  (void)MPI_Initialized(&mpi_runs);
+  MPI_Errhandler handler = MPI_ERRHANDLER_NULL;  // of the program, which PETSc replaces
+  if (mpi_runs != 0) (void)MPI_Comm_get_errhandler(MPI_COMM_WORLD, &handler);
   const PetscErrorCode code = PetscInitialize(&argc, &argv, "", nullptr);
+  if (mpi_runs != 0) (void)MPI_Comm_set_errhandler(MPI_COMM_WORLD, handler);
   (void)PetscPopErrorHandler();
   if (code != 0) throw Error("PETSc cannot start: PetscInitialize() returns " + std::to_string(code));
   std::atexit(end);
@@ -120,13 +126,17 @@ Calls::~Calls() {
   (void)PetscPopErrorHandler();
 }
 
-PetscErrorCode Calls::take_message(MPI_Comm, int, const char*, const char*, PetscErrorCode code,
+PetscErrorCode Calls::take_message(MPI_Comm, int, const char* function, const char*, PetscErrorCode code,
                                    PetscErrorType type, const char* message, void* calls) {
+  // PETSc 3.18 has another code than PETSC_ERR_MEM if malloc() fails.
+  const bool allocates = function != nullptr && std::string_view(function).starts_with("PetscMalloc");
+  if (code == PETSC_ERR_MEM || allocates) static_cast<Calls*>(calls)->has_no_memory_ = true;
   if (type == PETSC_ERROR_INITIAL && message != nullptr) static_cast<Calls*>(calls)->message_ = message;
   return code;
 }
 
 void Calls::fail(PetscErrorCode code) const {
+  if (has_no_memory_) throw std::bad_alloc();
   const char* general = nullptr;
   (void)PetscErrorMessage(code, &general, nullptr);
   const std::string first_line = message_.substr(0, message_.find('\n'));

@@ -26,7 +26,8 @@ class Calls {
   Calls(const Calls&) = delete;
   Calls& operator=(const Calls&) = delete;
 
-  /// Throws if `code` is an error: InvalidArgument for what options can cause, otherwise Error.
+  /// Throws if `code` is an error: InvalidArgument for what options can cause, std::bad_alloc if memory runs
+  /// out, otherwise Error.
   void operator()(PetscErrorCode code) const {
     if (code != 0) fail(code);
   }
@@ -38,7 +39,8 @@ class Calls {
 
   std::lock_guard<std::mutex> alone_;
   PetscOptions options_;
-  std::string message_;  // of the last error
+  std::string message_;         // of the last error
+  bool has_no_memory_ = false;  // whether memory ran out, which may lead to other errors
 };
 
 /// Whether an object of PETSc has this type.

@@ -46,7 +46,8 @@ struct [[nodiscard]] DistributedReport : Report {
 /// callback and lists of vertices and edges. Options::threads 0 divides the hardware threads of a machine
 /// among its processes. If a function throws in one process, it throws in all of them, with the message of
 /// the process with the lowest rank that has failed. Errors of MPI itself, such as a process that ended, are
-/// left to the error handler of the communicator, which ends all processes unless the program changes it.
+/// left to the error handler of the communicator, which ends all processes unless the program changes it. So
+/// is memory that runs out in one process within a solver that divides the system, where others wait for it.
 ///
 /// Options::custom_linear_solver may be a solver that needs contributions, such as that of
 /// boxplus/petsc/make_divided_petsc_solver.h. Then each process has a part of the system.
