@@ -289,7 +289,7 @@ void Evidence::add_to_vertices(const PoolEvidence& evidence, std::uint32_t slot,
                                const detail::EdgeShape& shape, double weight) {
   const detail::EdgePool& pool = *graph.edge_pools()[evidence.pool];
   const auto slots = pool.vertex_slots(slot);
-  const double* weighted_error = weighted_.data() + shape.rows * shape.cols;
+  const double* weighted_error = jacobian != nullptr ? weighted_.data() + shape.rows * shape.cols : nullptr;
   std::ptrdiff_t column = 0;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t p = pool.vertex_pool(slot, static_cast<int>(i));

@@ -52,8 +52,12 @@ void check_equal(Communicator& communicator, const Options& options) {
     std::istringstream first(texts[0]), other(texts[rank]);
     std::string a, b;
     while (std::getline(first, a) && std::getline(other, b) && a == b) continue;
-    throw InvalidArgument("the options differ between processes: " + a + " in process 0, but " + b +
-                          " in process " + std::to_string(rank));
+    throw InvalidArgument(std::string("the options differ between processes: ")
+                              .append(a)
+                              .append(" in process 0, but ")
+                              .append(b)
+                              .append(" in process ")
+                              .append(std::to_string(rank)));
   }
 }
 
