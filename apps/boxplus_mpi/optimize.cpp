@@ -8,7 +8,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -96,13 +95,10 @@ std::shared_ptr<LinearSolver> load_divided_solver(const std::string& options,
                                                   mpi::Communicator& communicator) {
   void* const make = find_in_petsc_plugin("boxplus_divided_petsc_solver");
   (void)communicator.any(false);  // PETSc starts in all processes, unless one has failed
-  try {
+  return communicator.while_others_wait([&] {
     return std::shared_ptr<LinearSolver>(
         reinterpret_cast<LinearSolver* (*)(MPI_Comm, const char*)>(make)(MPI_COMM_WORLD, options.c_str()));
-  } catch (const std::bad_alloc&) {
-    communicator.end_all(MPI_ERR_NO_MEM);  // the others wait for this process in PETSc
-    throw;
-  }
+  });
 }
 
 /// Whether the extension of an output, or the lack of one, selects BAL for a graph that was read from BAL.

@@ -293,7 +293,7 @@ class GaugeFinder {
       add_vertex(v, parts[part]);
     }
     const auto is_single = [](const Component& part) { return part.vertices.size() == 1; };
-    if (parts.size() == 1 || std::ranges::any_of(parts, is_single)) return {};
+    if (parts.size() < 2 || std::ranges::any_of(parts, is_single)) return {};
     if (parts.size() * left_out.size() > whole.vertices.size()) return {};  // would take long
     for (const EdgeSlot edge : whole.edges) {
       std::uint32_t vertex = kNone;
@@ -303,7 +303,7 @@ class GaugeFinder {
       if (vertex != kNone) add_edge(edge, moving, parts[part_of[sets.find(vertex)]]);
     }
     for (Component& part : parts) part.left_out = left_out;
-    if (!parts.empty()) parts.front().shared = left_out;
+    parts.front().shared = left_out;
     return parts;
   }
 

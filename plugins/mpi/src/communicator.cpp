@@ -43,10 +43,6 @@ int Communicator::neighbors() const {
   return count;
 }
 
-void Communicator::end_all(int error) const {
-  (void)MPI_Comm_call_errhandler(communicator_, error);
-}
-
 void Communicator::together(detail::FunctionRef<void()> f) {
   Failure failure = Failure::kNone;
   std::string message;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,9 +37,17 @@ class Communicator {
   /// as the process with the lowest rank did, and with its message.
   void together(detail::FunctionRef<void()> f);
 
-  /// Calls MPI's error handler, which ends all processes, unless the program has replaced it. For errors in
-  /// one process while others wait for it elsewhere than in this class. Not collective.
-  void end_all(int error) const;
+  /// Calls f, in which processes wait for each other without this class. If memory runs out in one of them,
+  /// it calls MPI's error handler, which ends all processes, unless the program has replaced it.
+  template <class F>
+  auto while_others_wait(F&& f) const {
+    try {
+      return f();
+    } catch (const std::bad_alloc&) {
+      (void)MPI_Comm_call_errhandler(communicator_, MPI_ERR_NO_MEM);
+      throw;
+    }
+  }
 
   double sum(double here);
   double max(double here);

@@ -2,7 +2,6 @@
 #include "shared_solver.h"
 
 #include <algorithm>
-#include <new>
 #include <string>
 
 #include "boxplus/base/error.h"
@@ -35,16 +34,10 @@ void SharedSolver::find_places() {
   }
 }
 
-/// Calls f, which calls the inner solver. If this solver divides the system, and memory runs out in a
-/// process, the others wait for it in the solver.
+/// Calls f, which calls the inner solver.
 template <class F>
 auto SharedSolver::call_inner(F&& f) {
-  try {
-    return f();
-  } catch (const std::bad_alloc&) {
-    if (is_divided()) communicator_->end_all(MPI_ERR_NO_MEM);
-    throw;
-  }
+  return is_divided() ? communicator_->while_others_wait(f) : f();
 }
 
 /// Calls f(scalar of the local system, scalar of the inner system, whether this process owns it).
