@@ -8,12 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "base/disjoint_sets.h"
-#include "base/paced_stop.h"
 #include "gauge/edge_ends.h"
 #include "gauge/similarity_freedom.h"
 #include "gauge/subspace.h"
-#include "graph/weighted_rows.h"
 
 namespace boxplus {
 namespace {
@@ -23,23 +20,7 @@ using Eigen::MatrixXd;
 /// A fraction of the unit of a motion. Values below this fraction are rounding errors.
 constexpr double kNoticeable = 1e-5;
 
-/// A component while it is examined.
-struct Component : GaugeComponent {
-  std::vector<EdgeSlot> edges;
-  std::vector<EdgeSlot> anchors;  // the edges with one moving vertex, or with a fixed vertex
-  int most_anchor_rows = 0;       // the most rows of an edge with exactly one moving vertex
-  bool only_rigid = true;         // whether all edges are of types that measure poses relative to each other
-  bool bounded = false;           // whether an entry of a vertex has bounds
-  // The vertices that its edges share with other components, such as the calibration of a sensor that made
-  // several maps. They do not move with the world. Only directions of such a component are held, so that
-  // every step checks them, because edges may resist at other values of these vertices.
-  std::vector<VertexSlot> left_out;
-  std::vector<VertexSlot> shared;  // those of `left_out` that are listed with this component
-};
-
 class GaugeFinder {
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-
  public:
   GaugeFinder(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
               GaugeBounds bounds, const StopToken& stop)
@@ -48,10 +29,13 @@ class GaugeFinder {
         ends_(graph, movable),
         policy_(policy),
         bounds_(bounds),
-        stop_(stop) {}
+        stop_(stop),
+        components_(graph, movable, ends_, stop) {}
 
   Gauge find(const std::vector<std::vector<std::uint32_t>>& active_edges) {
-    for (Component& component : components(active_edges)) {
+    std::vector<Component> components = components_.find(active_edges);
+    is_shared_ = components_.find_shared(components);
+    for (Component& component : components) {
       for (Component& part : parts_of(std::move(component))) {
         decide(part);
         part.vertices.insert(part.vertices.end(), part.shared.begin(), part.shared.end());
@@ -62,95 +46,10 @@ class GaugeFinder {
   }
 
  private:
-  std::vector<Component> components(const std::vector<std::vector<std::uint32_t>>& active_edges) {
-    PacedStop pace(stop_);
-    const auto for_each_edge = [&](auto&& f) {
-      for (std::uint32_t p = 0; p < active_edges.size(); ++p) {
-        for (const std::uint32_t slot : active_edges[p]) {
-          pace.step();
-          f(EdgeSlot{p, slot});
-        }
-      }
-    };
-    DisjointSets sets(ends_.view().numbers());
-    for_each_edge([&](EdgeSlot edge) {
-      std::uint32_t last = kNone;
-      ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
-        if (last != kNone) sets.join(last, ends_.number(v));
-        last = ends_.number(v);
-      });
-    });
-    std::vector<Component> result;
-    std::vector<std::uint32_t> component_of(ends_.view().numbers(),
-                                            kNone);  // the index in `result` of each root
-    for_each_edge([&](EdgeSlot edge) {
-      std::uint32_t root = kNone;
-      int moving = 0;
-      ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
-        root = sets.find(ends_.number(v));
-        ++moving;
-      });
-      if (moving == 0) return;
-      if (component_of[root] == kNone) {
-        component_of[root] = static_cast<std::uint32_t>(result.size());
-        result.emplace_back();
-      }
-      add_edge(edge, moving, result[component_of[root]]);
-    });
-    for (VertexSlot v{0, 0}; v.pool < movable_.size(); ++v.pool) {
-      for (v.slot = 0; v.slot < movable_[v.pool].size(); ++v.slot) {
-        const std::uint32_t component = component_of[sets.find(ends_.number(v))];
-        if (component != kNone) add_vertex(v, result[component]);
-      }
-    }
-    find_shared(result);
-    return result;
-  }
-
-  /// Finds the parameters that edges of several components have.
-  void find_shared(const std::vector<Component>& components) {
-    is_shared_.assign(ends_.view().numbers(), 0);
-    if (components.size() < 2) return;
-    std::vector<std::uint32_t> first(ends_.view().numbers(), kNone);  // component
-    PacedStop pace(stop_);
-    for (std::uint32_t c = 0; c < components.size(); ++c) {
-      for (const EdgeSlot edge : components[c].edges) {
-        pace.step();
-        ends_.for_each(edge, [&](VertexSlot v, EdgeEnds::End, std::size_t) {
-          const std::uint32_t number = ends_.number(v);
-          if (first[number] == kNone) first[number] = c;
-          if (first[number] != c) is_shared_[number] = 1;
-        });
-      }
-    }
-  }
-
-  void add_vertex(VertexSlot v, Component& component) const {
-    component.vertices.push_back(v);
-    if (!pool_of(v).fixed_directions(v.slot).empty()) component.anchored = true;
-    if (!pool_of(v).bounds(v.slot).empty()) component.bounded = true;
-  }
-
   /// Whether to hold vertices or directions of a component. If a vertex has bounds, the world cannot move
   /// freely, although this changes no error: the motions are damped, so that the vertices stay within theirs.
   bool holds(const Component& component) const {
     return policy_ == GaugePolicy::kFixFirst && !(component.bounded && bounds_ == GaugeBounds::kApply);
-  }
-
-  void add_edge(EdgeSlot edge, int moving, Component& component) const {
-    component.edges.push_back(edge);
-    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-    const int rows = pool.shape(edge.slot).rows,
-              structural = structural_rows(pool.information(edge.slot, rows));
-    component.only_rigid = component.only_rigid && pool.is_rigid() && structural == rows;
-    if (moving == 1) component.most_anchor_rows = std::max(component.most_anchor_rows, structural);
-    bool anchors = moving == 1;
-    ends_.for_each(edge, [&](VertexSlot, EdgeEnds::End end, std::size_t) {
-      anchors = anchors || end == EdgeEnds::End::kFixed;
-    });
-    if (!anchors) return;
-    component.anchored = true;
-    component.anchors.push_back(edge);
   }
 
   const detail::VertexPool& pool_of(VertexSlot v) const { return *graph_.vertex_pools()[v.pool]; }
@@ -196,7 +95,7 @@ class GaugeFinder {
     std::vector<std::vector<Component>> choices;
     if (!is_rigid(whole)) {
       for (const std::vector<VertexSlot>& left_out : possibly_shared(whole)) {
-        std::vector<Component> parts = parts_without(whole, left_out);
+        std::vector<Component> parts = components_.parts_without(whole, left_out);
         if (!parts.empty()) choices.push_back(std::move(parts));
       }
     }
@@ -262,58 +161,6 @@ class GaugeFinder {
     if (!without_frame.empty() && !with_frame.empty()) sets.push_back(std::move(without_frame));
     return sets;
   }
-
-  /// The components of a component from which vertices are left out. The first one lists these. Returns
-  /// nothing if there is only one, or if one of them is a single vertex.
-  std::vector<Component> parts_without(const Component& whole, const std::vector<VertexSlot>& left_out) {
-    number_vertices(whole);
-    for (const VertexSlot v : left_out) local_[ends_.number(v)] = kNone;
-    const auto for_each_moving = [&](EdgeSlot edge, auto&& f) {
-      ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
-        if (local(v) != kNone) f(local(v));
-      });
-    };
-    DisjointSets sets(static_cast<std::uint32_t>(whole.vertices.size()));
-    for (const EdgeSlot edge : whole.edges) {
-      std::uint32_t last = kNone;
-      for_each_moving(edge, [&](std::uint32_t vertex) {
-        if (last != kNone) sets.join(last, vertex);
-        last = vertex;
-      });
-    }
-    std::vector<Component> parts;
-    std::vector<std::uint32_t> part_of(whole.vertices.size(), kNone);  // of each root
-    for (const VertexSlot v : whole.vertices) {
-      if (local(v) == kNone) continue;
-      std::uint32_t& part = part_of[sets.find(local(v))];
-      if (part == kNone) {
-        part = static_cast<std::uint32_t>(parts.size());
-        parts.emplace_back();
-      }
-      add_vertex(v, parts[part]);
-    }
-    const auto is_single = [](const Component& part) { return part.vertices.size() == 1; };
-    if (parts.size() < 2 || std::ranges::any_of(parts, is_single)) return {};
-    if (parts.size() * left_out.size() > whole.vertices.size()) return {};  // would take long
-    for (const EdgeSlot edge : whole.edges) {
-      std::uint32_t vertex = kNone;
-      int moving = 0;
-      for_each_moving(edge, [&](std::uint32_t v) { vertex = v; });
-      ends_.for_each_moving(edge, [&](VertexSlot, std::size_t) { ++moving; });
-      if (vertex != kNone) add_edge(edge, moving, parts[part_of[sets.find(vertex)]]);
-    }
-    for (Component& part : parts) part.left_out = left_out;
-    parts.front().shared = left_out;
-    return parts;
-  }
-
-  /// Numbers the vertices of a component for local().
-  void number_vertices(const Component& component) {
-    local_.resize(ends_.view().numbers());
-    for (std::uint32_t k = 0; k < component.vertices.size(); ++k)
-      local_[ends_.number(component.vertices[k])] = k;
-  }
-  std::uint32_t local(VertexSlot v) const { return local_[ends_.number(v)]; }
 
   void decide(Component& component) {
     if (is_rigid(component)) {
@@ -427,24 +274,6 @@ class GaugeFinder {
     });
   }
 
-  /// Whether each vertex of a component has at least as many rows of edges as unknowns. If it has fewer,
-  /// holding one of the unknowns may not hold the world: a point that one camera sees may move towards it.
-  std::vector<bool> find_determined(const Component& component) {
-    number_vertices(component);
-    for (const VertexSlot v : component.left_out) local_[ends_.number(v)] = kNone;
-    std::vector<int> rows(component.vertices.size(), 0);
-    for (const EdgeSlot edge : component.edges) {
-      const int more = structural_rows(graph_.edge_pools()[edge.pool]->information(edge.slot));
-      ends_.for_each_moving(edge, [&](VertexSlot v, std::size_t) {
-        if (local(v) != kNone) rows[local(v)] += more;
-      });
-    }
-    std::vector<bool> is_determined;
-    for (const VertexSlot v : component.vertices)
-      is_determined.push_back(rows[local(v)] >= pool_of(v).tangent_dim(v.slot));
-    return is_determined;
-  }
-
   /// Holds as many tangent directions as there are free motions, preferably directions of `first`. Every free
   /// motion changes at least one held direction. So there is an exact Gauss-Newton step that is zero in all
   /// held directions.
@@ -457,7 +286,7 @@ class GaugeFinder {
       VertexSlot best = first;
       const double least = kNoticeable * left.unit();
       if (pool_of(first).eliminated(first.slot) || row_norms(first).maxCoeff() <= least) {
-        if (is_determined.empty()) is_determined = find_determined(component);
+        if (is_determined.empty()) is_determined = components_.find_determined(component);
         std::tuple most(false, least);
         for (std::size_t k = 0; k < component.vertices.size(); ++k) {
           const VertexSlot v = component.vertices[k];
@@ -477,11 +306,11 @@ class GaugeFinder {
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;
   std::vector<std::uint8_t> is_shared_;  // by GraphView::number()
-  std::vector<std::uint32_t> local_;     // of the vertices of a component, by GraphView::number()
   EdgeEnds ends_;
   GaugePolicy policy_;
   GaugeBounds bounds_;
   const StopToken& stop_;
+  ComponentFinder components_;
   std::unique_ptr<SimilarityTest> test_;
   bool is_selected_ = false;  // whether the component to decide on is that of `test_`
   Gauge gauge_;

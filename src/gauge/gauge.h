@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "boxplus/gauge/gauge.h"
-#include "gauge/free_motions.h"
+#include "gauge/components.h"
 
 namespace boxplus {
 
@@ -14,17 +14,6 @@ namespace boxplus {
 struct TangentDirection {
   VertexRef vertex;
   int component;
-};
-
-/// A connected component of the active graph: the moving vertices that edges join. Parameters belong to no
-/// component.
-struct GaugeComponent {
-  std::vector<VertexSlot> vertices;
-  bool anchored = false;  ///< an edge or a fixed direction ties a vertex to the world
-  /// The motions that change no error while nothing is held: at most one entry for each dimension of the
-  /// world.
-  std::vector<FreeMotions> free;
-  std::vector<VertexSlot> moved;  ///< the vertices that take part in these motions
 };
 
 struct Gauge {
